@@ -1,0 +1,74 @@
+// Affine maps: what transforms of the language become.
+#pragma once
+
+#include <array>
+
+#include "model/math.h"
+
+namespace lancer {
+
+/// p -> rows·p + shift. `rows[i]` is the i-th row of the linear part.
+template <class Real>
+struct Affine {
+    std::array<Vec3<Real>, 3> rows{Vec3<Real>(1, 0, 0), Vec3<Real>(0, 1, 0), Vec3<Real>(0, 0, 1)};
+    Vec3<Real> shift{0, 0, 0};
+
+    bool operator==(const Affine&) const = default;
+};
+
+template <class Real>
+Vec3<Real> map_vector(const Affine<Real>& m, const Vec3<Real>& v) {
+    return {dot(m.rows[0], v), dot(m.rows[1], v), dot(m.rows[2], v)};
+}
+
+template <class Real>
+Vec3<Real> map_point(const Affine<Real>& m, const Vec3<Real>& p) {
+    return map_vector(m, p) + m.shift;
+}
+
+/// The transposed linear part times v: takes a normal from the image space back, when `m` is the
+/// inverse of the map that moved the surface.
+template <class Real>
+Vec3<Real> map_transposed(const Affine<Real>& m, const Vec3<Real>& v) {
+    return m.rows[0] * v.x + m.rows[1] * v.y + m.rows[2] * v.z;
+}
+
+/// First `inner`, then `outer`.
+template <class Real>
+Affine<Real> compose(const Affine<Real>& outer, const Affine<Real>& inner) {
+    Affine<Real> m;
+    for (std::size_t i = 0; i < 3; ++i) m.rows[i] = map_transposed(inner, outer.rows[i]);
+    m.shift = map_point(outer, inner.shift);
+    return m;
+}
+
+template <class Real>
+Real determinant(const Affine<Real>& m) {
+    return dot(m.rows[0], cross(m.rows[1], m.rows[2]));
+}
+
+/// The inverse map. The linear part must not be singular.
+template <class Real>
+Affine<Real> inverse(const Affine<Real>& m) {
+    const Vec3<Real> a = cross(m.rows[1], m.rows[2]);
+    const Vec3<Real> b = cross(m.rows[2], m.rows[0]);
+    const Vec3<Real> c = cross(m.rows[0], m.rows[1]);
+    const Real d = dot(m.rows[0], a);
+    Affine<Real> inv;
+    inv.rows[0] = Vec3<Real>(a.x, b.x, c.x) / d;
+    inv.rows[1] = Vec3<Real>(a.y, b.y, c.y) / d;
+    inv.rows[2] = Vec3<Real>(a.z, b.z, c.z) / d;
+    inv.shift = -map_vector(inv, m.shift);
+    return inv;
+}
+
+/// The same map in another number type.
+template <class To, class From>
+Affine<To> convert(const Affine<From>& m) {
+    Affine<To> r;
+    for (std::size_t i = 0; i < 3; ++i) r.rows[i] = convert<To>(m.rows[i]);
+    r.shift = convert<To>(m.shift);
+    return r;
+}
+
+}  // namespace lancer

@@ -1,0 +1,43 @@
+// Transcendental functions that return the same bits on every processor.
+//
+// glibc picks an implementation by CPU (with or without FMA) and the variants differ in the last
+// bit, so a picture would depend on the machine. SLEEF's "cinz" scalar functions are defined to be
+// bit-identical everywhere, within 1 ulp. They serve float and double; long double and wider types,
+// which are used to judge the others, take the standard library's (x87 code, one implementation).
+// sqrt, fma, floor and the like are exact by IEEE 754 and come from <cmath> as they are.
+#pragma once
+
+namespace lancer::elementary {
+
+#define LANCER_ELEMENTARY_1(name)  \
+    float name(float x);           \
+    double name(double x);         \
+    long double name(long double x);
+#define LANCER_ELEMENTARY_2(name)         \
+    float name(float x, float y);         \
+    double name(double x, double y);      \
+    long double name(long double x, long double y);
+
+LANCER_ELEMENTARY_1(sin)
+LANCER_ELEMENTARY_1(cos)
+LANCER_ELEMENTARY_1(tan)
+LANCER_ELEMENTARY_1(asin)
+LANCER_ELEMENTARY_1(acos)
+LANCER_ELEMENTARY_1(atan)
+LANCER_ELEMENTARY_1(exp)
+LANCER_ELEMENTARY_1(log)
+LANCER_ELEMENTARY_1(cbrt)
+LANCER_ELEMENTARY_2(atan2)
+LANCER_ELEMENTARY_2(pow)
+
+#undef LANCER_ELEMENTARY_1
+#undef LANCER_ELEMENTARY_2
+
+/// sin and cos of an angle in degrees, exact at multiples of 90: a quarter turn is a quarter turn.
+struct SineCosine {
+    double sine = 0.0;
+    double cosine = 1.0;
+};
+SineCosine sine_cosine_of_degrees(double degrees);
+
+}  // namespace lancer::elementary

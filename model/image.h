@@ -1,0 +1,38 @@
+// Pictures in memory.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace lancer {
+
+/// Layout: `height` rows of `width` pixels of `channels` values, top row first.
+/// Values: linear light, scene-referred, not clamped. Alpha, where there is any, is the fourth
+/// channel and not multiplied into the others.
+struct Image {
+    int width = 0;
+    int height = 0;
+    int channels = 3;
+    std::vector<double> data;
+    /// Names of the channels beyond R, G, B (and A), for formats that can hold them.
+    std::vector<std::string> extra_names;
+
+    Image() = default;
+    Image(int w, int h, int c = 3)
+        : width(w),
+          height(h),
+          channels(c),
+          data(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
+               static_cast<std::size_t>(c)) {}
+
+    std::size_t index(int x, int y) const {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(channels);
+    }
+    double* pixel(int x, int y) { return data.data() + index(x, y); }
+    const double* pixel(int x, int y) const { return data.data() + index(x, y); }
+};
+
+}  // namespace lancer

@@ -1,0 +1,22 @@
+// Whole files: read at once, written under a temporary name and renamed.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace lancer::io {
+
+/// The bytes of a file; `-` is standard input. Throws FileError (with the system's reason) when it
+/// cannot be read, is a directory, or is longer than `limit` bytes.
+std::string read_file(const std::string& path, std::size_t limit = std::size_t(1) << 40);
+
+/// Runs `write(temporary)` with a temporary name in the folder of `path`, then renames it to `path`
+/// with the access rights an ordinary new file has. On any exception the temporary file is removed
+/// and `path` keeps what it held. Throws FileError when the folder is missing or not writable.
+void write_atomically(const std::string& path,
+                      const std::function<void(const std::string& temporary)>& write);
+
+/// write_atomically for bytes in memory.
+void write_file(const std::string& path, const std::string& bytes);
+
+}  // namespace lancer::io

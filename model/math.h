@@ -1,0 +1,92 @@
+// Numbers and vectors. The only header that names GLM, and the only door to transcendental functions.
+//
+// Geometry and shading are templates over `Real`: float, double, long double, and in tests a 113-bit
+// type. GLM's vector *types* compile for all of them, its geometric *functions* do not, so the few
+// that we need stand here, each with one fixed order of operations: pictures must not depend on how
+// a library happens to sum.
+#pragma once
+
+#ifndef GLM_FORCE_XYZW_ONLY
+#define GLM_FORCE_XYZW_ONLY
+#endif
+#ifndef GLM_FORCE_EXPLICIT_CTOR
+#define GLM_FORCE_EXPLICIT_CTOR
+#endif
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "model/elementary.h"
+
+namespace lancer {
+
+template <class Real>
+using Vec2 = glm::vec<2, Real, glm::defaultp>;
+template <class Real>
+using Vec3 = glm::vec<3, Real, glm::defaultp>;
+
+using Vec2d = Vec2<double>;
+using Vec3d = Vec3<double>;
+/// Linear RGB; scene-referred, not limited to 1.
+using Color = Vec3<double>;
+
+template <class Real>
+constexpr Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Real>
+constexpr Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class Real>
+constexpr Real length_squared(const Vec3<Real>& v) {
+    return dot(v, v);
+}
+
+/// Euclidean length. Squares: |v| must lie in the square root of the type's range.
+template <class Real>
+Real length(const Vec3<Real>& v) {
+    using std::sqrt;
+    return sqrt(dot(v, v));
+}
+
+/// v / |v|. Not for the zero vector.
+template <class Real>
+Vec3<Real> normalize(const Vec3<Real>& v) {
+    return v / length(v);
+}
+
+template <class Real>
+constexpr Real max_component(const Vec3<Real>& v) {
+    const Real xy = v.x > v.y ? v.x : v.y;
+    return xy > v.z ? xy : v.z;
+}
+
+/// Component by component absolute value.
+template <class Real>
+Vec3<Real> abs(const Vec3<Real>& v) {
+    using std::abs;
+    return {abs(v.x), abs(v.y), abs(v.z)};
+}
+
+template <class Real>
+bool is_finite(const Vec3<Real>& v) {
+    using std::isfinite;
+    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+}
+
+/// The same vector in another number type.
+template <class To, class From>
+Vec3<To> convert(const Vec3<From>& v) {
+    return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.z)};
+}
+
+inline constexpr double pi = 3.141592653589793238462643383279502884;
+inline constexpr double tau = 2.0 * pi;
+
+constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
+constexpr double degrees(double radians) { return radians * (180.0 / pi); }
+
+}  // namespace lancer

@@ -1,0 +1,77 @@
+// A scene: what the evaluator makes, and what tracer, exporter and `info` read.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/affine.h"
+#include "model/image.h"
+#include "model/light.h"
+#include "model/material.h"
+#include "model/settings.h"
+#include "model/shapes.h"
+#include "model/source.h"
+
+namespace lancer {
+
+struct PerspectiveProjection {
+    double fov = 40;  ///< full vertical angle, degrees, in (0, 180)
+};
+struct OrthographicProjection {
+    double height = 4;  ///< of the picture, scene units, > 0
+};
+
+struct Camera {
+    std::string name;
+    Vec3d position{0, 0, 0};
+    Vec3d look_at{0, 0, -1};  ///< != position
+    Vec3d up{0, 1, 0};        ///< not parallel to the view
+    std::variant<PerspectiveProjection, OrthographicProjection> projection;
+    SourceSpan place;
+};
+
+/// An image that textures of the scene name, decoded once: linear light, 3 or 4 channels.
+struct SceneImage {
+    std::string path;
+    bool decode_srgb = true;              ///< false: `color_space "linear"`
+    std::shared_ptr<const Image> pixels;  ///< never null in a scene without errors
+};
+
+/// One shape in the world.
+struct Object {
+    Shape shape;
+    std::uint32_t material = 0;   ///< index into Scene::materials; 0 is the default material
+    std::uint32_t transform = 0;  ///< index into Scene::transforms; 0 is the identity
+    std::uint32_t name = none;    ///< index into Scene::names
+    bool casts_shadow = true;
+    SourceSpan place;  ///< of its keyword
+};
+
+struct Scene {
+    int width = 640;
+    int height = 480;
+    Settings settings;
+    Color background{0, 0, 0};
+    Color ambient{1, 1, 1};
+    std::vector<Camera> cameras;  ///< the first is the default
+    std::vector<Light> lights;
+    std::vector<Object> objects;  ///< in the order of declaration
+
+    std::vector<Material> materials{Material{}};
+    std::vector<Affine<double>> transforms{Affine<double>{}};  ///< object to world; none singular
+    std::vector<Texture> textures;
+    std::vector<SceneImage> images;
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    std::vector<TriangleAttributes> triangle_attributes;
+    std::vector<Patch> patches;
+    std::vector<Lathe> lathes;
+    std::vector<Prism> prisms;
+    std::vector<std::string> names;
+    std::vector<std::string> material_names;  ///< of materials[i]; may be shorter or empty
+};
+
+}  // namespace lancer

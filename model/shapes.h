@@ -1,0 +1,131 @@
+// The shapes of the scene language as plain data. What a ray makes of them is in tracer/shapes/.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "model/math.h"
+
+namespace lancer {
+
+/// Marks an index that points nowhere.
+inline constexpr std::uint32_t none = 0xFFFFFFFF;
+
+/// Solid ball.
+struct Sphere {
+    Vec3d center{0, 0, 0};
+    double radius = 1;  ///< > 0
+};
+
+/// Solid box along the axes of its own space.
+struct Box {
+    Vec3d min{-1, -1, -1};
+    Vec3d max{1, 1, 1};  ///< each component >= that of `min`
+};
+
+/// Solid cylinder, or its mantle alone when not capped.
+struct Cylinder {
+    Vec3d base{0, 0, 0};
+    Vec3d top{0, 1, 0};  ///< != base
+    double radius = 1;   ///< > 0
+    bool capped = true;
+};
+
+/// Solid cone or truncated cone, or its mantle alone when not capped.
+struct Cone {
+    Vec3d base{0, 0, 0};
+    Vec3d top{0, 1, 0};      ///< != base
+    double base_radius = 1;  ///< >= 0; one of the two radii > 0
+    double top_radius = 0;   ///< >= 0
+    bool capped = true;
+};
+
+/// The points p with normal·p = offset·|normal|. Its inside is opposite to the normal.
+struct Plane {
+    Vec3d normal{0, 1, 0};  ///< as written: any length but 0
+    double offset = 0;
+};
+
+/// One triangle. Normals and uvs, which few triangles have, stand in `Scene::triangle_attributes`.
+struct Triangle {
+    std::array<Vec3d, 3> points{};
+    std::uint32_t attributes = none;  ///< index into Scene::triangle_attributes
+};
+
+struct TriangleAttributes {
+    std::optional<std::array<Vec3d, 3>> normals;
+    std::optional<std::array<Vec2d, 3>> uvs;
+};
+
+/// A mesh of the scene, shown once. Many may show the same mesh.
+struct MeshRef {
+    std::uint32_t mesh = 0;  ///< index into Scene::meshes
+    bool smooth = true;      ///< interpolate normals
+};
+
+/// A bicubic patch or net, index into Scene::patches.
+struct PatchRef {
+    std::uint32_t patch = 0;
+};
+
+/// A surface of revolution, index into Scene::lathes.
+struct LatheRef {
+    std::uint32_t lathe = 0;
+};
+
+/// A drawn-up outline, index into Scene::prisms.
+struct PrismRef {
+    std::uint32_t prism = 0;
+};
+
+/// The closed set of shapes. Add a line here and the build names every place still missing.
+using Shape = std::variant<Sphere, Box, Cylinder, Cone, Plane, Triangle, MeshRef, PatchRef,
+                           LatheRef, PrismRef>;
+
+/// Indexed triangles. A corner has up to three indices: its place, its normal, its texture place.
+struct Mesh {
+    using Corners = std::array<std::uint32_t, 3>;
+
+    std::vector<Vec3d> vertices;
+    std::vector<Corners> faces;  ///< into `vertices`; no degenerate ones
+    std::vector<Vec3d> normals;  ///< may be empty: none given
+    /// Into `normals`, one per face; empty: the same as `faces`. A corner may be `none`.
+    std::vector<Corners> normal_faces;
+    std::vector<Vec2d> uvs;  ///< may be empty
+    /// Into `uvs`, one per face; empty: the same as `faces`. A corner may be `none`.
+    std::vector<Corners> uv_faces;
+};
+
+/// Bicubic Bezier patch (4 x 4) or uniform bicubic B-spline net (rows x columns, each >= 4).
+struct Patch {
+    enum class Basis { bezier, bspline };
+    Basis basis = Basis::bezier;
+    std::uint32_t rows = 4;
+    std::uint32_t columns = 4;
+    std::vector<Vec3d> control;  ///< row by row
+    std::optional<double> tolerance;
+};
+
+enum class Spline { linear, bezier, bspline, catmull_rom };
+
+/// A 2D curve turned round the y axis of its own space.
+struct Lathe {
+    std::vector<Vec2d> profile;  ///< (r, y); the curve's r is nowhere negative
+    Spline spline = Spline::linear;
+    std::optional<double> tolerance;
+};
+
+/// A closed 2D curve drawn up along y.
+struct Prism {
+    std::vector<Vec2d> outline;  ///< (x, z), the first point not repeated at the end
+    Spline spline = Spline::linear;
+    double bottom = 0;
+    double top = 1;  ///< > bottom
+    bool capped = true;
+    std::optional<double> tolerance;
+};
+
+}  // namespace lancer
