@@ -1,0 +1,165 @@
+// The rules of docs/architecture.md that a compiler does not check.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = LANCER_SOURCE_DIR;
+const std::vector<std::string> libraries{"model", "parser", "tracer", "reference"};
+
+struct SourceFile {
+    std::string path;    ///< from the project's root
+    std::string folder;  ///< the first part of the path
+    std::vector<std::string> lines;
+};
+
+std::vector<std::string> read_lines(const fs::path& path) {
+    std::vector<std::string> lines;
+    std::ifstream in(path);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<SourceFile> sources_of(const std::vector<std::string>& folders) {
+    std::vector<SourceFile> found;
+    for (const std::string& folder : folders) {
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending != ".cpp" && ending != ".h") continue;
+            found.push_back({fs::relative(entry.path(), root).generic_string(), folder,
+                             read_lines(entry.path())});
+        }
+    }
+    std::sort(found.begin(), found.end(),
+              [](const auto& a, const auto& b) { return a.path < b.path; });
+    return found;
+}
+
+/// The name that a line includes, with `"` or `<` before it, or nothing.
+std::string included_by(const std::string& line) {
+    static const std::regex pattern(R"re(^\s*#\s*include\s*(["<][^">]+)[">])re");
+    std::smatch match;
+    return std::regex_search(line, match, pattern) ? match[1].str() : std::string();
+}
+
+/// The line without string literals and without a // comment, so that words in them do not count.
+std::string code_of(const std::string& line) {
+    static const std::regex text(R"re("([^"\\]|\\.)*")re");
+    const std::string bare = std::regex_replace(line, text, "\"\"");
+    return bare.substr(0, bare.find("//"));
+}
+
+std::string place(const SourceFile& file, std::size_t line) {
+    return file.path + ":" + std::to_string(line + 1) + ": " + file.lines[line];
+}
+
+TEST(Structure, FoldersIncludeOnlyWhatTheArrowsAllow) {
+    const std::map<std::string, std::vector<std::string>> allowed{
+        {"model", {"model"}},
+        {"parser", {"parser", "model"}},
+        {"tracer", {"tracer", "model"}},
+        {"reference", {"reference", "model"}},
+        {"cli", {"cli", "model", "parser", "tracer", "reference"}},
+    };
+    std::vector<std::string> broken;
+    std::size_t seen = 0;
+    for (const SourceFile& file : sources_of({"model", "parser", "tracer", "reference", "cli"})) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const std::string name = included_by(file.lines[i]);
+            if (name.empty() || name.front() != '"') continue;
+            ++seen;
+            const std::string folder = name.substr(1, name.find('/') - 1);
+            const auto& may = allowed.at(file.folder);
+            if (std::find(may.begin(), may.end(), folder) == may.end())
+                broken.push_back(place(file, i));
+        }
+    }
+    EXPECT_GT(seen, 20u);
+    EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+TEST(Structure, LibraryHeadersStopInTheirFolder) {
+    // Header prefix, and the only place that may name it.
+    const std::vector<std::pair<std::string, std::string>> homes{
+        {"<glm/", "model/math.h"}, {"<sleef", "model/elementary.cpp"},
+        {"<tao/", "parser/"},      {"<OpenImageIO/", "model/io/"},
+        {"<png", "model/io/"},     {"<tiny_obj_loader", "model/io/"},
+        {"<CLI/", "cli/"},
+    };
+    std::vector<std::string> broken;
+    for (const SourceFile& file : sources_of({"model", "parser", "tracer", "reference", "cli"})) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const std::string name = included_by(file.lines[i]);
+            for (const auto& [header, home] : homes) {
+                if (name.starts_with(header) && !file.path.starts_with(home))
+                    broken.push_back(place(file, i));
+            }
+        }
+    }
+    EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+TEST(Structure, LibrariesNeitherPrintNorExit) {
+    const std::regex forbidden(
+        R"re(\bstd::(cout|cerr|clog|exit|abort|terminate|quick_exit)\b|#\s*include\s*<iostream>|)re"
+        R"re(\b(fmt::print|printf|fprintf|puts|fputs|perror|_exit|exit|abort)\s*\(|\bstd(out|err)\b)re");
+    std::vector<std::string> broken;
+    for (const SourceFile& file : sources_of(libraries)) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            if (std::regex_search(code_of(file.lines[i]), forbidden))
+                broken.push_back(place(file, i));
+        }
+    }
+    EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+TEST(Structure, NoFileIsLongerThanFiveHundredLines) {
+    std::vector<std::string> broken;
+    for (const SourceFile& file :
+         sources_of({"model", "parser", "tracer", "reference", "cli", "tests"})) {
+        if (file.lines.size() > 500)
+            broken.push_back(file.path + ": " + std::to_string(file.lines.size()) + " lines");
+    }
+    EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+TEST(Structure, EveryHeaderIsGuardedAndSaysWhatItIsFor) {
+    std::vector<std::string> broken;
+    for (const SourceFile& file : sources_of({"model", "parser", "tracer", "reference", "cli"})) {
+        if (!file.path.ends_with(".h")) continue;
+        const bool says = !file.lines.empty() && file.lines.front().starts_with("//");
+        const bool once =
+            std::find(file.lines.begin(), file.lines.end(), "#pragma once") != file.lines.end();
+        if (!says || !once) broken.push_back(file.path);
+    }
+    EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+TEST(Structure, EverySourceIsListedInItsFoldersBuildFile) {
+    std::vector<std::string> broken;
+    for (const SourceFile& file :
+         sources_of({"model", "parser", "tracer", "reference", "cli", "tests"})) {
+        if (!file.path.ends_with(".cpp")) continue;
+        // The nearest build file at or above the source's folder.
+        fs::path folder = (root / file.path).parent_path();
+        while (!fs::exists(folder / "CMakeLists.txt")) folder = folder.parent_path();
+        const std::string name = fs::relative(root / file.path, folder).generic_string();
+        bool listed = false;
+        for (const std::string& line : read_lines(folder / "CMakeLists.txt"))
+            listed = listed || line.find(name) != std::string::npos;
+        if (!listed) broken.push_back(file.path);
+    }
+    EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+}  // namespace
