@@ -1,0 +1,69 @@
+// Two pictures of the same thing: how far apart, where, and is that too far.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/image.h"
+
+namespace lancer::reference {
+
+/// When a comparison fails, and what is worth computing.
+struct CompareOptions {
+    /// A pixel is over when its difference (see pixel_differences) is greater than this; linear
+    /// light.
+    double fail = 0;
+    /// The comparison fails when more than this percentage of the pixels is over.
+    double fail_percent = 0;
+    bool flip = true;  ///< also the FLIP metric, by far the slowest
+};
+
+/// What compare_images found. All differences are in linear light, not relative to anything.
+struct Comparison {
+    bool pass = false;
+    /// Why it failed, one sentence without a full stop; empty when it passed.
+    std::string reason;
+    /// False when there is nothing to measure: sizes or channels differ, or a value is NaN or
+    /// infinite. Then it failed, and the numbers below the line are meaningless.
+    bool comparable = false;
+    std::size_t non_finite_a = 0;  ///< values of the first picture that are NaN or infinite
+    std::size_t non_finite_b = 0;
+
+    // ----
+    int width = 0;
+    int height = 0;
+    int channels = 0;  ///< compared ones: colour and alpha, not the extra channels of an EXR
+    std::size_t pixels = 0;
+    double mean = 0;  ///< of |a - b| over all values of all channels
+    double rmse = 0;  ///< over all values of all channels
+    double psnr = 0;  ///< 20 log10(1 / rmse), decibels; infinite for equal pictures
+    double max = 0;   ///< of |a - b| over all values
+    int max_x = 0;    ///< its pixel, from the top left corner
+    int max_y = 0;
+    int max_channel = 0;
+    double max_a = 0;  ///< the two values there
+    double max_b = 0;
+    double p99 = 0;   ///< 99 % of the pixels differ by this or less (nearest rank)
+    double p999 = 0;  ///< 99.9 % of the pixels
+    std::size_t pixels_over = 0;
+    double over = 0;  ///< share of the pixels over CompareOptions::fail, 0..1
+    double flip = 0;  ///< mean FLIP error, 0..1, see flip.h; 0 when not asked for
+};
+
+/// The number of channels of `image` that are compared: all but the named extra ones.
+int compared_channels(const Image& image);
+
+/// Per pixel, rows from the top: the largest of the absolute differences of its channels. Both
+/// pictures must have the same size and the same compared_channels().
+std::vector<double> pixel_differences(const Image& a, const Image& b);
+
+/// The smallest value with at least `share` (0..1] of the values at or below it. Reorders `values`,
+/// which must not be empty.
+double percentile(std::vector<double>& values, double share);
+
+/// Measures `a` against `b`. Never throws for what the pictures hold: pictures that cannot be
+/// compared are a comparison that failed.
+Comparison compare_images(const Image& a, const Image& b, const CompareOptions& options);
+
+}  // namespace lancer::reference
