@@ -41,7 +41,7 @@ struct Light {
     LightKind kind;
     Color color{1, 1, 1};
     bool shadows = true;  ///< false: a fill light, no shadow test and no highlights
-    SourceSpan place;
+    SourceSpan place{};
 };
 
 }  // namespace lancer

@@ -31,7 +31,7 @@ struct Camera {
     Vec3d look_at{0, 0, -1};  ///< != position
     Vec3d up{0, 1, 0};        ///< not parallel to the view
     std::variant<PerspectiveProjection, OrthographicProjection> projection;
-    SourceSpan place;
+    SourceSpan place{};
 };
 
 /// An image that textures of the scene name, decoded once: linear light, 3 or 4 channels.
@@ -48,7 +48,7 @@ struct Object {
     std::uint32_t transform = 0;  ///< index into Scene::transforms; 0 is the identity
     std::uint32_t name = none;    ///< index into Scene::names
     bool casts_shadow = true;
-    SourceSpan place;  ///< of its keyword
+    SourceSpan place{};  ///< of its keyword
 };
 
 struct Scene {

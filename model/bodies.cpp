@@ -1,0 +1,74 @@
+#include "model/bodies.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+#include "model/splines.h"
+
+namespace lancer {
+namespace {
+
+/// For each vertex the smallest index of a vertex at the same place.
+std::vector<std::uint32_t> first_at_same_place(const std::vector<Vec3d>& vertices) {
+    const auto key = [&vertices](std::uint32_t i) {
+        const Vec3d& v = vertices[i];
+        return std::tuple(v.x, v.y, v.z, i);
+    };
+    std::vector<std::uint32_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&key](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::vector<std::uint32_t> first(vertices.size());
+    std::uint32_t current = none;
+    for (const std::uint32_t i : order) {
+        if (current == none || vertices[i] != vertices[current]) current = i;
+        first[i] = current;
+    }
+    return first;
+}
+
+struct HasInside {
+    const Scene& scene;
+
+    bool operator()(const Sphere&) const { return true; }
+    bool operator()(const Box&) const { return true; }
+    bool operator()(const Plane&) const { return true; }
+    bool operator()(const Cylinder& cylinder) const { return cylinder.capped; }
+    bool operator()(const Cone& cone) const { return cone.capped; }
+    bool operator()(const Triangle&) const { return false; }
+    bool operator()(const MeshRef& ref) const { return is_closed(*scene.meshes[ref.mesh]); }
+    bool operator()(const PatchRef&) const { return false; }
+    bool operator()(const LatheRef& ref) const {
+        const Lathe& lathe = scene.lathes[ref.lathe];
+        return encloses_space(profile_curve(lathe.spline, lathe.profile));
+    }
+    bool operator()(const PrismRef& ref) const { return scene.prisms[ref.prism].capped; }
+};
+
+}  // namespace
+
+bool is_closed(const Mesh& mesh) {
+    const std::vector<std::uint32_t> vertex = first_at_same_place(mesh.vertices);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(mesh.faces.size() * 3);
+    for (const Mesh::Corners& face : mesh.faces) {
+        for (std::size_t i = 0; i < 3; ++i)
+            edges.push_back(std::minmax({vertex[face[i]], vertex[face[(i + 1) % 3]]}));
+    }
+    std::sort(edges.begin(), edges.end());
+    for (auto edge = edges.begin(); edge != edges.end();) {
+        const auto next =
+            std::find_if(edge, edges.end(), [&](const auto& e) { return e != *edge; });
+        if (next - edge != 2) return false;
+        edge = next;
+    }
+    return !edges.empty();
+}
+
+bool is_body(const Scene& scene, const Shape& shape) {
+    return std::visit(HasInside{scene}, shape);
+}
+
+}  // namespace lancer

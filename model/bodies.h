@@ -1,0 +1,18 @@
+// Which shapes have an inside. Only what has one can be entered and left: docs/shading.md, "bodies
+// and sheets".
+#pragma once
+
+#include "model/scene.h"
+
+namespace lancer {
+
+/// True when every edge of the mesh belongs to exactly two faces. Vertices at the same place are
+/// one vertex, so a mesh whose corners are not shared by index can be closed too. Sorts the edges:
+/// n log n time, about 30 bytes per triangle.
+bool is_closed(const Mesh& mesh);
+
+/// True for a sphere, box, plane, capped cylinder, cone and prism, a closed mesh, and a lathe whose
+/// curve ends on the axis or in itself. All else is a sheet: it has no inside.
+bool is_body(const Scene& scene, const Shape& shape);
+
+}  // namespace lancer

@@ -1,0 +1,146 @@
+#include "model/requirements.h"
+
+#include <algorithm>
+
+#include "model/bodies.h"
+
+namespace lancer {
+namespace {
+
+struct Words {
+    std::string_view name;
+    std::string_view meaning;
+};
+
+constexpr std::array<Words, feature_count> words{{
+    {"meshes", "triangles with an acceleration structure of their own"},
+    {"splines", "curved surfaces from control points"},
+    {"smooth normals", "normals interpolated over triangles"},
+    {"textures", "texture coordinates at each hit"},
+    {"image textures", "images decoded and looked up"},
+    {"shadows", "a ray to each light from each hit"},
+    {"filtered shadows", "shadows of things that let light through"},
+    {"reflection", "mirror rays"},
+    {"fresnel", "reflection weighted by Fresnel's equations"},
+    {"transmission", "rays that go on behind a surface"},
+    {"media", "a list of the bodies that each ray is inside of"},
+    {"refraction", "rays that bend"},
+    {"absorption", "light that fades inside a body"},
+    {"light from behind", "lights behind a surface that shine through it"},
+}};
+
+bool lets_light_through(const Scene& scene, const Material& material, bool textures) {
+    if (material.filter > 0 || material.transmission > 0) return true;
+    if (!textures || material.texture == none) return false;
+    const auto* image = std::get_if<ImageTexture>(&scene.textures[material.texture].pattern);
+    if (image == nullptr) return false;
+    // Outside of an image that is shown once, and where its alpha says so.
+    return image->wrap == ImageTexture::Wrap::once ||
+           scene.images[image->image].pixels->channels == 4;
+}
+
+bool has_normals_to_interpolate(const Scene& scene, const Shape& shape) {
+    if (const auto* mesh = std::get_if<MeshRef>(&shape)) return mesh->smooth;
+    if (const auto* triangle = std::get_if<Triangle>(&shape)) {
+        return triangle->attributes != none &&
+               scene.triangle_attributes[triangle->attributes].normals.has_value();
+    }
+    return std::holds_alternative<PatchRef>(shape);
+}
+
+bool is_spline(const Shape& shape) {
+    return std::holds_alternative<PatchRef>(shape) || std::holds_alternative<LatheRef>(shape) ||
+           std::holds_alternative<PrismRef>(shape);
+}
+
+class Collector {
+  public:
+    Collector(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
+
+    Requirements collect() {
+        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+            const Object& object = scene_.objects[i];
+            const Demand demand{i, object.place};
+            add_shape(object, demand);
+            add_surface(object, demand);
+        }
+        add_lights();
+        return found_;
+    }
+
+  private:
+    void add_shape(const Object& object, const Demand& demand) {
+        if (std::holds_alternative<MeshRef>(object.shape)) found_.add(Feature::meshes, demand);
+        if (is_spline(object.shape)) found_.add(Feature::splines, demand);
+        if (settings_.smooth && has_normals_to_interpolate(scene_, object.shape))
+            found_.add(Feature::smooth_normals, demand);
+    }
+
+    void add_surface(const Object& object, const Demand& demand) {
+        const Material& m = scene_.materials[object.material];
+        if (settings_.textures && m.texture != none) {
+            found_.add(Feature::textures, demand);
+            if (std::holds_alternative<ImageTexture>(scene_.textures[m.texture].pattern))
+                found_.add(Feature::image_textures, demand);
+        }
+        if (m.diffuse_transmission > 0 || m.phong_transmission > 0)
+            found_.add(Feature::light_from_behind, demand);
+        if (settings_.max_depth > 1 && max_component(m.reflection) > 0) {
+            found_.add(Feature::reflection, demand);
+            if (m.fresnel) found_.add(Feature::fresnel, demand);
+        }
+        if (lets_light_through(scene_, m, settings_.textures)) add_transparent(object, m, demand);
+    }
+
+    void add_transparent(const Object& object, const Material& m, const Demand& demand) {
+        found_.add(Feature::transmission, demand);
+        if (m.fresnel) found_.add(Feature::fresnel, demand);
+        if (object.casts_shadow && settings_.shadows) {
+            if (!first_filter_) first_filter_ = demand;
+        }
+        // Whether a mesh is closed takes a while to find out, so it is asked only when it matters.
+        const bool bends = m.ior != 1;
+        const bool absorbs = max_component(m.absorption) > 0;
+        if (found_.needs(Feature::media) && (!bends || found_.needs(Feature::refraction)) &&
+            (!absorbs || found_.needs(Feature::absorption)))
+            return;
+        if (!is_body(scene_, object.shape)) return;
+        found_.add(Feature::media, demand);
+        if (bends) found_.add(Feature::refraction, demand);
+        if (absorbs) found_.add(Feature::absorption, demand);
+    }
+
+    void add_lights() {
+        if (!settings_.shadows || scene_.objects.empty()) return;
+        const auto light = std::find_if(scene_.lights.begin(), scene_.lights.end(),
+                                        [](const Light& l) { return l.shadows; });
+        if (light == scene_.lights.end()) return;
+        found_.add(Feature::shadows, {none, light->place});
+        if (first_filter_) found_.add(Feature::filtered_shadows, *first_filter_);
+    }
+
+    const Scene& scene_;
+    const Settings& settings_;
+    Requirements found_;
+    std::optional<Demand> first_filter_;
+};
+
+}  // namespace
+
+std::string_view name_of(Feature feature) {
+    return words[static_cast<std::size_t>(feature)].name;
+}
+std::string_view meaning_of(Feature feature) {
+    return words[static_cast<std::size_t>(feature)].meaning;
+}
+
+void Requirements::add(Feature feature, const Demand& by) {
+    std::optional<Demand>& slot = demands_[static_cast<std::size_t>(feature)];
+    if (!slot) slot = by;
+}
+
+Requirements requirements_of(const Scene& scene, const Settings& settings) {
+    return Collector(scene, settings).collect();
+}
+
+}  // namespace lancer

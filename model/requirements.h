@@ -1,0 +1,61 @@
+// What a scene asks of the renderer, and which object asks first. What nothing asks for costs
+// nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "model/scene.h"
+#include "model/settings.h"
+
+namespace lancer {
+
+/// One thing that a renderer can do, or can leave out for a scene that has no need of it.
+enum class Feature : std::uint8_t {
+    meshes,             ///< an acceleration structure of triangles
+    splines,            ///< patch, lathe or prism
+    smooth_normals,     ///< interpolated
+    textures,           ///< coordinates at each hit
+    image_textures,     ///< images decoded and looked up
+    shadows,            ///< a ray to each light
+    filtered_shadows,   ///< shadows need more than a yes or no: some caster lets light through
+    reflection,         ///< mirror rays
+    fresnel,            ///< reflection weighted by Fresnel's equations
+    transmission,       ///< rays that go on behind a surface
+    media,              ///< a list of the bodies that a ray is in
+    refraction,         ///< rays that bend
+    absorption,         ///< light that fades inside a body
+    light_from_behind,  ///< diffuse_transmission or phong_transmission
+};
+inline constexpr std::size_t feature_count = 14;
+
+/// The word for it in `info`, and one sentence of what it means.
+std::string_view name_of(Feature feature);
+std::string_view meaning_of(Feature feature);
+
+/// The first that asks for a feature.
+struct Demand {
+    std::uint32_t object = none;  ///< index into Scene::objects; none: it is the lights
+    SourceSpan place;             ///< of that object or light
+};
+
+class Requirements {
+  public:
+    bool needs(Feature feature) const { return demand(feature).has_value(); }
+    const std::optional<Demand>& demand(Feature feature) const {
+        return demands_[static_cast<std::size_t>(feature)];
+    }
+    /// Notes a demand, unless there is an earlier one.
+    void add(Feature feature, const Demand& by);
+
+  private:
+    std::array<std::optional<Demand>, feature_count> demands_;
+};
+
+/// What the objects of `scene` ask for when rendered with `settings`: what these switch off
+/// (shadows, smooth, textures, everything that recursion does at depth 1) is not asked for.
+Requirements requirements_of(const Scene& scene, const Settings& settings);
+
+}  // namespace lancer
