@@ -15,7 +15,7 @@ struct Image {
     int height = 0;
     int channels = 3;
     std::vector<double> data;
-    /// Names of the channels beyond R, G, B (and A), for formats that can hold them.
+    /// Names of the last channels, beyond R, G, B (and A), for formats that can hold them.
     std::vector<std::string> extra_names;
 
     Image() = default;
@@ -25,6 +25,9 @@ struct Image {
           channels(c),
           data(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
                static_cast<std::size_t>(c)) {}
+
+    /// Channels without the extra ones: 1 is grey, 3 are R, G, B, and 4 have alpha too.
+    int color_channels() const { return channels - static_cast<int>(extra_names.size()); }
 
     std::size_t index(int x, int y) const {
         return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

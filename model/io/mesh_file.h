@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/shapes.h"
@@ -12,18 +13,23 @@ namespace lancer::io {
 
 struct LoadedMesh {
     Mesh mesh;
-    std::uint64_t degenerate = 0;  ///< triangles dropped because two corners coincide or all three are on one line
+    /// Faces dropped because corners coincide or all are on one line, so that no triangle is left.
+    std::uint64_t degenerate = 0;
 };
 
-/// Reads a mesh by the ending of `path`. Faces of more than three corners are split (a convex one as
-/// a fan from its first corner, a concave one by ears). Throws FileError whose message names the file and
-/// the place in it (line or byte) when it cannot be read, is truncated, is no mesh, has a vertex that
-/// is not finite or an index out of range.
+/// Reads a mesh by the ending of `path`. Faces of more than three corners are split (a convex one
+/// as a fan from its first corner, a concave one by ears). Throws FileError whose message names the
+/// file and the place in it (line, byte or face) when it cannot be read, is truncated, is no mesh,
+/// has a vertex that is not finite or an index out of range.
 LoadedMesh read_mesh(const std::string& path);
 
-/// Adds the face with these corners (indices into `vertices`) to `faces` as triangles, each given by
-/// the positions 0..n-1 of its corners in the face, so that normals and uvs can follow. Returns false
-/// when the face is degenerate altogether.
+/// The same for the bytes of a file that would be called `name`.
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name);
+
+/// Adds the face with these corners (indices into `vertices`) to `triangles`, each given by the
+/// positions 0..n-1 of its corners in the face, so that normals and uvs can follow. Triangles
+/// without area are left out; returns false when there is no other. A face need not be planar.
+/// Throws FileError for a concave one of more than 10000 corners.
 bool triangulate(std::span<const Vec3d> vertices, std::span<const std::uint32_t> corners,
                  std::vector<Mesh::Corners>& triangles);
 

@@ -1,0 +1,28 @@
+// How large a picture may be, before memory is taken for it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+
+namespace lancer::io {
+
+/// 2^27: 16384 x 8192. In double, RGB, that is 3.2 GB.
+inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 27;
+inline constexpr int most_channels = 64;
+
+/// Why a picture of this size is not read; empty when it is fine.
+inline std::string size_problem(std::uint64_t width, std::uint64_t height, int channels) {
+    if (width == 0 || height == 0 || channels < 1) return "the picture has no pixels";
+    if (channels > most_channels) {
+        return fmt::format("{} channels are more than the {} allowed", channels, most_channels);
+    }
+    if (width > most_pixels || height > most_pixels || width * height > most_pixels) {
+        return fmt::format("{} x {} pixels are more than the {} allowed", width, height,
+                           most_pixels);
+    }
+    return {};
+}
+
+}  // namespace lancer::io

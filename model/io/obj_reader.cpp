@@ -1,0 +1,128 @@
+// Our own reader, because the libraries we know accept nearly anything: tinyobjloader 2.0 reads
+// `v 1 abc 2` as (1, 0, 2) and `v nan 0 0` without a word, and a reference must not render a file
+// that it did not understand. docs/files.md has the measurements.
+#include "model/io/obj_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "model/io/text_scanner.h"
+
+namespace lancer::io {
+namespace {
+
+/// Statements that say nothing about triangles: groups, materials, points and lines, curves and
+/// surfaces in free form.
+constexpr std::array<std::string_view, 40> skipped_statements{
+    "bevel", "bmat", "bsp",    "bzp",       "c_interp", "call",   "cdc",        "cdp",
+    "con",   "csh",  "cstype", "ctech",     "curv",     "curv2",  "d_interp",   "deg",
+    "end",   "g",    "hole",   "l",         "lod",      "maplib", "mg",         "mtllib",
+    "o",     "p",    "parm",   "res",       "s",        "scrv",   "shadow_obj", "sp",
+    "stech", "step", "surf",   "trace_obj", "trim",     "usemap", "usemtl",     "vp"};
+
+class ObjReader {
+  public:
+    ObjReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name, '#', '\\') {
+        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+        if (bytes.starts_with(byte_order_mark)) {
+            scanner_ = TextScanner(bytes.substr(byte_order_mark.size()), name, '#', '\\');
+        }
+    }
+
+    PolygonSoup read() {
+        while (!scanner_.at_end()) {
+            statement(scanner_.word());
+            scanner_.next_line();
+        }
+        if (soup_.normal_corners.empty()) soup_.normals.clear();
+        if (soup_.uv_corners.empty()) soup_.uvs.clear();
+        return std::move(soup_);
+    }
+
+  private:
+    void statement(std::string_view keyword) {
+        if (keyword == "v") {
+            soup_.vertices.push_back(vector("a coordinate"));
+        } else if (keyword == "vn") {
+            soup_.normals.push_back(vector("a component of the normal"));
+        } else if (keyword == "vt") {
+            const double u = scanner_.number("a texture coordinate");
+            const double v = scanner_.at_line_end() ? 0 : scanner_.number("a texture coordinate");
+            soup_.uvs.emplace_back(u, v);
+        } else if (keyword == "f" || keyword == "fo") {
+            face();
+        } else if (std::find(skipped_statements.begin(), skipped_statements.end(), keyword) ==
+                   skipped_statements.end()) {
+            throw scanner_.error("this is not a statement of an OBJ file");
+        }
+    }
+
+    /// Weights and colours may follow in the same line; they are checked to be numbers all the
+    /// same.
+    Vec3d vector(const char* what) {
+        const double x = scanner_.number(what);
+        const double y = scanner_.number(what);
+        const double z = scanner_.number(what);
+        while (!scanner_.at_line_end()) scanner_.number("a number");
+        return {x, y, z};
+    }
+
+    /// `f 1 2 3`, `f 1/1 2/2 3/3`, `f 1//1 2//2 3//3`, `f 1/1/1 2/2/2 3/3/3`
+    void face() {
+        const std::size_t begin = soup_.corners.size();
+        soup_.face_lines.push_back(scanner_.line());
+        while (!scanner_.at_line_end()) {
+            soup_.corners.push_back(index(soup_.vertices.size(), "a vertex index"));
+            std::uint32_t uv = none;
+            std::uint32_t normal = none;
+            if (scanner_.skip('/')) {
+                if (!scanner_.skip('/')) {
+                    uv = index(soup_.uvs.size(), "a texture vertex index");
+                    if (scanner_.skip('/')) {
+                        normal = index(soup_.normals.size(), "a normal index");
+                    }
+                } else {
+                    normal = index(soup_.normals.size(), "a normal index");
+                }
+            }
+            append(soup_.uv_corners, uv);
+            append(soup_.normal_corners, normal);
+        }
+        if (soup_.corners.size() - begin < 3) {
+            throw scanner_.error("a face has at least three corners");
+        }
+        soup_.face_ends.push_back(soup_.corners.size());
+    }
+
+    /// An index from 0. One that is too large is found later: a file may give its faces first.
+    std::uint32_t index(std::size_t count, const char* what) {
+        const std::int64_t number = scanner_.integer(what);
+        const std::int64_t index =
+            number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
+        if (number == 0 || index < 0 || index >= none) {
+            throw scanner_.error(
+                fmt::format("{} is out of range: {} (there are {} so far)", what, number, count));
+        }
+        return static_cast<std::uint32_t>(index);
+    }
+
+    /// The list stays empty until something stands in it, as in most files it never does.
+    void append(std::vector<std::uint32_t>& corners, std::uint32_t index) {
+        if (index == none && corners.empty()) return;
+        corners.resize(soup_.corners.size() - 1, none);
+        corners.push_back(index);
+    }
+
+    TextScanner scanner_;
+    PolygonSoup soup_;
+};
+
+}  // namespace
+
+PolygonSoup read_obj(std::string_view bytes, const std::string& name) {
+    return ObjReader(bytes, name).read();
+}
+
+}  // namespace lancer::io

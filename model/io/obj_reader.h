@@ -1,0 +1,17 @@
+// Wavefront OBJ.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/io/polygon_soup.h"
+
+namespace lancer::io {
+
+/// Reads `v`, `vt`, `vn` and `f` (Wavefront, Advanced Visualizer manual, appendix B1); the other
+/// statements of the format are skipped. Indices below 0 count back from the last. Throws FileError
+/// naming `name` and the line for a number that is none or not finite, for a statement that OBJ
+/// does not have, and for an index that is 0 or before the first.
+PolygonSoup read_obj(std::string_view bytes, const std::string& name);
+
+}  // namespace lancer::io

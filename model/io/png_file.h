@@ -1,0 +1,24 @@
+// PNG through libpng alone, so that plain use of Lancer loads nothing heavier.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/image.h"
+#include "model/io/image_file.h"
+
+namespace lancer::io {
+
+bool is_png(std::string_view bytes);
+
+/// The whole file. The same picture gives the same bytes. 1 channel is grey, 3 are RGB, 4 are RGBA;
+/// channels beyond are left out. Throws FileError naming `name`.
+std::string encode_png(const Image& image, const ImageWriteOptions& options,
+                       const std::string& name);
+
+/// 1 channel (grey), 3 (RGB) or 4 (RGBA, grey with alpha too). Colour in linear light by the rules
+/// POV-Ray 3.7 has: an sRGB chunk or none means the sRGB curve, for 16 bits too; a gAMA chunk alone
+/// means its power law. Throws FileError naming `name`.
+Image decode_png(std::string_view bytes, const std::string& name, ColorSpace space);
+
+}  // namespace lancer::io

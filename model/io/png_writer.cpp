@@ -1,0 +1,104 @@
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <exception>
+
+#include "model/diagnostic.h"
+#include "model/io/png_file.h"
+#include "model/io/quantize.h"
+
+namespace lancer::io {
+namespace {
+
+// libpng reports errors by longjmp, which skips destructors: everything that owns memory lives in
+// this struct, outside the functions that call setjmp.
+struct Writer {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::string bytes;
+    std::string row;
+    std::string message;
+
+    Writer() = default;
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+void on_error(png_structp png, png_const_charp message) {
+    static_cast<Writer*>(png_get_error_ptr(png))->message = message;
+    longjmp(png_jmpbuf(png), 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void on_write(png_structp png, png_bytep data, std::size_t size) {
+    try {
+        static_cast<Writer*>(png_get_io_ptr(png))
+            ->bytes.append(reinterpret_cast<const char*>(data), size);
+    } catch (const std::exception&) {
+        png_error(png, "out of memory");
+    }
+}
+
+void on_flush(png_structp) {}
+
+/// One row as PNG wants it: colour through the curve, alpha as it stands, 16 bits high byte first.
+void fill_row(std::string& row, const Image& image, int y, int channels,
+              const ImageWriteOptions& options) {
+    const int top = options.bits == 16 ? 65535 : 255;
+    std::size_t at = 0;
+    for (int x = 0; x < image.width; ++x) {
+        const double* pixel = image.pixel(x, y);
+        for (int c = 0; c < channels; ++c) {
+            const unsigned step = quantize(pixel[c], top, options.linear || c == 3);
+            if (options.bits == 16) row[at++] = static_cast<char>(step >> 8);
+            row[at++] = static_cast<char>(step & 0xFF);
+        }
+    }
+}
+
+bool write(Writer& writer, const Image& image, int channels, const ImageWriteOptions& options) {
+    if (setjmp(png_jmpbuf(writer.png))) return false;
+    const int color_type = channels == 1   ? PNG_COLOR_TYPE_GRAY
+                           : channels == 3 ? PNG_COLOR_TYPE_RGB
+                                           : PNG_COLOR_TYPE_RGB_ALPHA;
+    png_set_write_fn(writer.png, &writer, on_write, on_flush);
+    png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
+                 static_cast<png_uint_32>(image.height), options.bits, color_type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (options.linear) {
+        png_set_gAMA_fixed(writer.png, writer.info, PNG_FP_1);
+    } else {
+        png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    }
+    png_write_info(writer.png, writer.info);
+    for (int y = 0; y < image.height; ++y) {
+        fill_row(writer.row, image, y, channels, options);
+        png_write_row(writer.png, reinterpret_cast<png_const_bytep>(writer.row.data()));
+    }
+    png_write_end(writer.png, nullptr);
+    return true;
+}
+
+}  // namespace
+
+std::string encode_png(const Image& image, const ImageWriteOptions& options,
+                       const std::string& name) {
+    const int color = image.color_channels();
+    const int channels = color >= 4 ? 4 : color == 3 ? 3 : 1;
+    Writer writer;
+    writer.row.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(channels) *
+                      static_cast<std::size_t>(options.bits / 8));
+    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
+    if (writer.png != nullptr) writer.info = png_create_info_struct(writer.png);
+    if (writer.info == nullptr) writer.message = "out of memory";
+    if (writer.info == nullptr || !write(writer, image, channels, options)) {
+        throw FileError("cannot write '" + name + "': " + writer.message);
+    }
+    return std::move(writer.bytes);
+}
+
+}  // namespace lancer::io

@@ -1,0 +1,33 @@
+// Files that exist only while something is being written.
+#pragma once
+
+#include <string>
+
+namespace lancer::io {
+
+/// A new, empty file with a name of its own, removed again by the destructor unless `keep_as` was
+/// called. Also removed by `remove_temporary_files`.
+class TemporaryFile {
+  public:
+    /// Creates the file in `folder` (empty: the current one) with the access rights of an ordinary
+    /// new file; its name ends in `ending`. Throws FileError, whose message names `purpose`.
+    TemporaryFile(const std::string& folder, const std::string& ending, const std::string& purpose);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    const std::string& name() const { return name_; }
+
+    /// Renames the file to `path`, replacing what was there in one step. Throws FileError.
+    void keep_as(const std::string& path);
+
+  private:
+    std::string name_;
+    int slot_ = -1;  ///< in the registry that remove_temporary_files reads; -1: not registered
+};
+
+/// Removes every temporary file of this process. Async-signal-safe: for a handler of SIGINT or
+/// SIGTERM that ends the program afterwards.
+void remove_temporary_files() noexcept;
+
+}  // namespace lancer::io

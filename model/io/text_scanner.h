@@ -1,0 +1,67 @@
+// Words and numbers of a text file, with the line for messages. Independent of the locale.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "model/diagnostic.h"
+
+namespace lancer::io {
+
+/// Walks over `bytes`, which must outlive it. LF, CRLF and CR end a line. `comment` (when not 0)
+/// begins a comment that runs to the end of the line; `continuation` (when not 0) directly before
+/// the end of a line joins the next line to it.
+class TextScanner {
+  public:
+    TextScanner(std::string_view bytes, std::string name, char comment = 0, char continuation = 0)
+        : at_(bytes.data()),
+          end_(bytes.data() + bytes.size()),
+          name_(std::move(name)),
+          comment_(comment),
+          continuation_(continuation) {}
+
+    /// Skips spaces and comments, not ends of lines; true when the line (or the file) ends here.
+    bool at_line_end();
+    /// Skips what is left of the line and its end.
+    void next_line();
+    /// Skips spaces, comments and ends of lines; true when the file ends here.
+    bool at_end();
+    /// The rest of the line, spaces included, without its end; the end is skipped too.
+    std::string_view rest_of_line();
+
+    /// The next word of this line, up to a space or end of line; empty at the end of the line.
+    std::string_view word();
+    /// The next number of this line: a finite double; one too small for the type is 0. Throws
+    /// FileError naming `what` when there is none, it is not finite or too large, or a letter
+    /// follows.
+    double number(const char* what);
+    /// The whole number that begins right here; no digit, letter or point may follow it.
+    std::int64_t integer(const char* what);
+    /// True, and `c` is skipped, when it is the very next character.
+    bool skip(char c);
+
+    std::uint32_t line() const { return line_; }
+    std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+    /// "name:line: message"
+    FileError error(const std::string& message) const;
+
+  private:
+    bool is_line_end(const char* p) const { return p == end_ || *p == '\n' || *p == '\r'; }
+    static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+    bool is_word_end(const char* p) const {
+        return is_line_end(p) || is_blank(*p) || (comment_ != 0 && *p == comment_);
+    }
+    void skip_line_end();
+    bool skip_continuation();
+    FileError not_a(const char* what, const char* from) const;
+
+    const char* at_;
+    const char* end_;
+    std::string name_;
+    std::uint32_t line_ = 1;
+    char comment_;
+    char continuation_;
+};
+
+}  // namespace lancer::io

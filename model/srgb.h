@@ -1,0 +1,18 @@
+// The sRGB transfer curve, IEC 61966-2-1: what stands in an 8-bit file against light.
+#pragma once
+
+#include "model/elementary.h"
+
+namespace lancer {
+
+/// Linear light in [0, 1] to the sRGB-encoded value in [0, 1].
+inline double srgb_encode(double light) {
+    return light <= 0.0031308 ? 12.92 * light : 1.055 * elementary::pow(light, 1.0 / 2.4) - 0.055;
+}
+
+/// The sRGB-encoded value in [0, 1] to linear light in [0, 1].
+inline double srgb_decode(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : elementary::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace lancer

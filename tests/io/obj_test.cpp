@@ -1,0 +1,165 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/io/mesh_file.h"
+#include "tests/io/scratch_folder.h"
+
+namespace lancer::io {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+LoadedMesh obj(const std::string& text) {
+    return read_mesh(text, "t.obj");
+}
+
+std::string obj_error(const std::string& text) {
+    return file_error([&] { obj(text); });
+}
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST(Obj, ReadsVerticesInFullPrecision) {
+    const LoadedMesh loaded =
+        obj("v 0.1 -0.30000000000000004 1e-300\nv +1.5 5e-324 1e308\n v\t1 2 3 \r\nf 1 2 3");
+    EXPECT_EQ(loaded.mesh.vertices[0], Vec3d(0.1, -0.30000000000000004, 1e-300));
+    EXPECT_EQ(loaded.mesh.vertices[1], Vec3d(1.5, 5e-324, 1e308));
+    EXPECT_EQ(loaded.mesh.vertices[2], Vec3d(1, 2, 3));
+    EXPECT_EQ(loaded.mesh.faces, (std::vector<Mesh::Corners>{{0, 1, 2}}));
+}
+
+TEST(Obj, ReadsEveryFormOfCorner) {
+    const std::string all = triangle + "vt 0 0\nvt 1 0\nvt 0.5 1\nvn 0 0 1\nvn 0 1 0\n";
+    LoadedMesh loaded = obj(all + "f 3 2 1\n");
+    EXPECT_EQ(loaded.mesh.faces[0], (Mesh::Corners{2, 1, 0}));
+    EXPECT_TRUE(loaded.mesh.normals.empty());
+    EXPECT_TRUE(loaded.mesh.uvs.empty());
+
+    loaded = obj(all + "f 1/3 2/2 3/1\n");
+    EXPECT_THAT(loaded.mesh.uv_faces, ElementsAre(Mesh::Corners{2, 1, 0}));
+    EXPECT_EQ(loaded.mesh.uvs[2], Vec2d(0.5, 1));
+
+    loaded = obj(all + "f 1//2 2//1 3//2\n");
+    EXPECT_THAT(loaded.mesh.normal_faces, ElementsAre(Mesh::Corners{1, 0, 1}));
+    EXPECT_EQ(loaded.mesh.normals[1], Vec3d(0, 1, 0));
+
+    loaded = obj(all + "f 1 2 3\nf 1/1/1 2/2/1 3/3/2\n");
+    EXPECT_THAT(loaded.mesh.normal_faces,
+                ElementsAre(Mesh::Corners{none, none, none}, Mesh::Corners{0, 0, 1}));
+    EXPECT_THAT(loaded.mesh.uv_faces,
+                ElementsAre(Mesh::Corners{none, none, none}, Mesh::Corners{0, 1, 2}));
+
+    loaded = obj(all + "f 1/1/1 2/2/1 3/3/2\nf 1 2 3\n");
+    EXPECT_THAT(loaded.mesh.normal_faces,
+                ElementsAre(Mesh::Corners{0, 0, 1}, Mesh::Corners{none, none, none}));
+}
+
+TEST(Obj, LeavesOutIndicesThatEqualThoseOfTheVertices) {
+    const LoadedMesh loaded = obj(triangle + "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1//1 2//2 3//3\n");
+    EXPECT_TRUE(loaded.mesh.normal_faces.empty());
+    EXPECT_EQ(loaded.mesh.normals.size(), 3u);
+}
+
+TEST(Obj, CountsNegativeIndicesFromTheLastVertexSoFar) {
+    const LoadedMesh loaded = obj(triangle + "f -3 -2 -1\nv 5 5 5\nf -4 -3 -1\n");
+    EXPECT_THAT(loaded.mesh.faces, ElementsAre(Mesh::Corners{0, 1, 2}, Mesh::Corners{0, 1, 3}));
+}
+
+TEST(Obj, AFaceMayComeBeforeItsVertices) {
+    EXPECT_THAT(obj("f 1 2 3\n" + triangle).mesh.faces, ElementsAre(Mesh::Corners{0, 1, 2}));
+}
+
+TEST(Obj, SkipsWhatIsNoTriangle) {
+    const LoadedMesh loaded = obj(
+        "\xEF\xBB\xBF# a comment\n\nmtllib a b.mtl\no thing\ng part one\nusemtl red\ns off\n" +
+        triangle + "v 1 1 1 0.5\nv 0 0 1 0.1 0.2 0.3 # colour\nl 1 2\np 1\nf 1 2 \\\n  3 # end\n");
+    EXPECT_EQ(loaded.mesh.vertices.size(), 5u);
+    EXPECT_EQ(loaded.mesh.faces.size(), 1u);
+}
+
+TEST(Obj, TakesLinesThatEndInCrOrCrLf) {
+    EXPECT_EQ(obj("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n").mesh.faces.size(), 1u);
+    EXPECT_EQ(obj("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3").mesh.faces.size(), 1u);
+}
+
+TEST(Obj, CarriesNormalsAndUvsAlongWhenItSplitsAFace) {
+    const LoadedMesh loaded = obj(square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/4 2/3 3/2 4/1\n");
+    EXPECT_THAT(loaded.mesh.faces, ElementsAre(Mesh::Corners{0, 1, 2}, Mesh::Corners{0, 2, 3}));
+    EXPECT_THAT(loaded.mesh.uv_faces, ElementsAre(Mesh::Corners{3, 2, 1}, Mesh::Corners{3, 1, 0}));
+}
+
+TEST(Obj, DropsAndCountsDegenerateFaces) {
+    const LoadedMesh loaded = obj(triangle + "v 2 0 0\nf 1 2 3\nf 1 1 3\nf 1 2 4\nf 4 2 3\n");
+    EXPECT_EQ(loaded.degenerate, 2u);
+    EXPECT_EQ(loaded.mesh.faces.size(), 2u);
+}
+
+TEST(Obj, NamesTheLineOfAMistake) {
+    EXPECT_THAT(obj_error("v 0 0 0\nv 1 abc 2\n"), StartsWith("t.obj:2: a coordinate expected"));
+    EXPECT_THAT(obj_error("v 0 0\n"), StartsWith("t.obj:1: a coordinate expected, but the line"));
+    EXPECT_THAT(obj_error("\nv 0 nan 0\n"), StartsWith("t.obj:2: a coordinate is not finite"));
+    EXPECT_THAT(obj_error("v 0 inf 0\n"), HasSubstr("not finite"));
+    EXPECT_THAT(obj_error("v 0 1e999 0\n"), HasSubstr("not finite"));
+    EXPECT_THAT(obj_error("v 0 0x10 0\n"), HasSubstr("expected, not '0x10'"));
+    EXPECT_THAT(obj_error("v 0 1,5 0\n"), HasSubstr("expected, not '1,5'"));
+    EXPECT_THAT(obj_error("vn 0 0 zero\n"), StartsWith("t.obj:1: a component of the normal"));
+    EXPECT_THAT(obj_error("vt\n"), StartsWith("t.obj:1: a texture coordinate"));
+    EXPECT_THAT(obj_error(triangle + "f 1 2\n"), StartsWith("t.obj:4: a face has at least three"));
+    EXPECT_THAT(obj_error(triangle + "f 1 2 0\n"), StartsWith("t.obj:4: a vertex index is out"));
+    EXPECT_THAT(obj_error(triangle + "f 1 2 -4\n"), StartsWith("t.obj:4: a vertex index is out"));
+    EXPECT_THAT(obj_error(triangle + "\nf 1 2 4\n"), StartsWith("t.obj:5: the face refers to"));
+    EXPECT_THAT(obj_error(triangle + "f 1/1 2/1 3/1\n"), HasSubstr("texture vertex 0 of 0"));
+    EXPECT_THAT(obj_error(triangle + "f 1 2 99999999999\n"), HasSubstr("out of range"));
+    EXPECT_THAT(obj_error(triangle + "f 1 2 99999999999999999999\n"), HasSubstr("expected"));
+    EXPECT_THAT(obj_error(triangle + "f 1/ 2 3\n"), HasSubstr("texture vertex index expected"));
+    EXPECT_THAT(obj_error(triangle + "f 1.5 2 3\n"), HasSubstr("vertex index expected"));
+    EXPECT_THAT(obj_error("<html>\n"), StartsWith("t.obj:1: this is not a statement"));
+    EXPECT_THAT(obj_error("\x7f"
+                          "ELF\1\2\3"),
+                StartsWith("t.obj:1: "));
+    EXPECT_THAT(obj_error(""), HasSubstr("no faces"));
+    EXPECT_THAT(obj_error(triangle), HasSubstr("no faces"));
+}
+
+TEST(Obj, ATinyNumberIsZeroWhateverItLooksLike) {
+    const std::string zeros(400, '0');
+    const LoadedMesh loaded = obj("v 1e-999 -1e-400 0." + zeros + "1\nv 1 0 0\nv 0 1 0" + zeros +
+                                  "." + zeros + "e-400\nf 1 2 3\n");
+    EXPECT_EQ(loaded.mesh.vertices[0], Vec3d(0, 0, 0));
+    EXPECT_THAT(obj_error("v 1" + zeros + " 0 0\n"), HasSubstr("not finite"));
+    EXPECT_THAT(obj_error("v 1e99999999999999999999 0 0\n"), HasSubstr("not finite"));
+}
+
+TEST(Obj, NeverCrashesOnDamage) {
+    const std::string text = square + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3//1 4\nf -1 -2 -3\n";
+    std::mt19937 random(1);
+    int refused = 0;
+    for (int i = 0; i < 5000; ++i) {
+        std::string damaged = text;
+        for (int k = 0; k < 3; ++k) {
+            damaged[random() % damaged.size()] = "0123456789 \n/-.vfne\\#\0\xFF"[random() % 23];
+        }
+        try {
+            obj(damaged.substr(0, random() % damaged.size() + 1));
+        } catch (const FileError& error) {
+            EXPECT_THAT(error.what(), StartsWith("t.obj:"));
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+TEST(Mesh, NamesAFileItCannotRead) {
+    const ScratchFolder folder;
+    EXPECT_THAT(file_error([&] { read_mesh(folder / "no.obj"); }), HasSubstr("no.obj"));
+    put(folder / "a.fbx", "");
+    EXPECT_THAT(file_error([&] { read_mesh(folder / "a.fbx"); }), HasSubstr(".obj, .ply or .stl"));
+}
+
+}  // namespace
+}  // namespace lancer::io
