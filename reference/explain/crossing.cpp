@@ -1,0 +1,110 @@
+#include "reference/explain/crossing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/elementary.h"
+
+namespace lancer::reference {
+
+namespace {
+
+constexpr int directions = 16;
+/// Parts of the radius at which is looked: the smaller ones find what is thinner than the first.
+constexpr std::array<double, 4> rings = {1.0, 0.1, 1e-3, 1e-6};
+
+struct Point {
+    double x, y;
+};
+
+Point between(const Point& a, const Point& b, double share) {
+    return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
+}
+
+/// The two sides of a step, a hair apart.
+struct Step {
+    Point near_point;
+    Point far_point;
+    ProbeSample near_side;
+    ProbeSample far_side;
+};
+
+/// Closes in on the place between the centre and `end` where our picture stops being nearer to
+/// itself and starts being nearer to `theirs`.
+Step close_in(const Probe& probe, const Point& centre, const ProbeSample& at_centre,
+              const Point& end, const ProbeSample& at_end, const Color& theirs) {
+    const double half = 0.5 * distance(at_centre.color, theirs);
+    Step step{centre, end, at_centre, at_end};
+    constexpr double hair = 1e-12;  // a few units in the last place of a pixel's coordinates
+    while (std::hypot(step.far_point.x - step.near_point.x, step.far_point.y - step.near_point.y) >
+           hair) {
+        const Point middle = between(step.near_point, step.far_point, 0.5);
+        // No number lies between the two any more.
+        const bool stuck = (middle.x == step.near_point.x && middle.y == step.near_point.y) ||
+                           (middle.x == step.far_point.x && middle.y == step.far_point.y);
+        if (stuck) break;
+        const ProbeSample sample = probe(middle.x, middle.y);
+        const bool beyond = distance(sample.color, theirs) < half;
+        (beyond ? step.far_point : step.near_point) = middle;
+        (beyond ? step.far_side : step.near_side) = sample;
+    }
+    return step;
+}
+
+/// True when our picture takes the value `theirs` at the far side of the step or further on towards
+/// `end`. On a limb it changes with the root of the distance, so the looks are spaced
+/// geometrically.
+bool reaches(const Probe& probe, const Step& step, const Point& end, const Color& theirs,
+             double tolerance) {
+    if (distance(step.far_side.color, theirs) <= tolerance) return true;
+    for (double share = 1; share > 1e-12; share *= 0.5) {
+        const Point p = between(step.far_point, end, share);
+        if (distance(probe(p.x, p.y).color, theirs) <= tolerance) return true;
+    }
+    return false;
+}
+
+EdgeKind kind_of(const Step& step) {
+    const ProbeSample& a = step.near_side;
+    const ProbeSample& b = step.far_side;
+    const bool depth_jumps =
+        std::abs(a.depth - b.depth) > 1e-4 * std::max(std::abs(a.depth), std::abs(b.depth));
+    if (a.object != b.object || depth_jumps || distance(a.normal, b.normal) > 1e-3) {
+        return EdgeKind::silhouette;
+    }
+    if (a.lit != b.lit) return EdgeKind::shadow;
+    return a.path != b.path ? EdgeKind::secondary : EdgeKind::texture;
+}
+
+}  // namespace
+
+std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, const Color& theirs,
+                                      double radius, double tolerance) {
+    const Point centre{x, y};
+    const ProbeSample at_centre = probe(x, y);
+    const double difference = distance(at_centre.color, theirs);
+    std::optional<Crossing> nearest;
+    for (const double ring : rings) {
+        for (int i = 0; i < directions; ++i) {
+            // Off the axes, along which exact edges like to lie.
+            const double angle = (i + 0.37) * tau / directions;
+            const Point end{x + radius * ring * elementary::cos(angle),
+                            y + radius * ring * elementary::sin(angle)};
+            const ProbeSample at_end = probe(end.x, end.y);
+            if (distance(at_end.color, theirs) >= 0.5 * difference) continue;
+            const Step step = close_in(probe, centre, at_centre, end, at_end, theirs);
+            const double jump = distance(step.near_side.color, step.far_side.color);
+            if (jump < 0.5 * difference) continue;  // a smooth change
+            if (!reaches(probe, step, end, theirs, tolerance)) continue;
+            const Crossing found{kind_of(step), step.far_point.x - x, step.far_point.y - y, jump};
+            if (!nearest || std::hypot(found.dx, found.dy) < std::hypot(nearest->dx, nearest->dy)) {
+                nearest = found;
+            }
+        }
+        if (nearest) break;
+    }
+    return nearest;
+}
+
+}  // namespace lancer::reference

@@ -1,0 +1,186 @@
+#include "reference/explain/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "reference/compare/compare.h"
+
+namespace lancer::reference {
+
+namespace {
+
+/// When so many pixels could not be explained the answer is known, and the others are not looked
+/// at.
+constexpr std::size_t enough_unexplained = 2000;
+
+/// A small shift makes no such difference on a smooth surface: what does is left out of
+/// registration.
+constexpr double no_shift = 0.01;
+
+PixelClass class_of(EdgeKind kind) {
+    switch (kind) {
+        case EdgeKind::silhouette:
+            return PixelClass::silhouette;
+        case EdgeKind::shadow:
+            return PixelClass::shadow;
+        case EdgeKind::texture:
+            return PixelClass::texture;
+        case EdgeKind::secondary:
+            return PixelClass::secondary;
+    }
+    return PixelClass::unexplained;
+}
+
+bool is_explained(PixelClass c) {
+    return c == PixelClass::silhouette || c == PixelClass::shadow || c == PixelClass::texture ||
+           c == PixelClass::secondary;
+}
+
+void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
+              const KnownRule& known) {
+    const double x = pixel.x + 0.5;
+    const double y = pixel.y + 0.5;
+    const auto crossing = find_crossing(probe, x, y, pixel.theirs, limits.radius, limits.interior);
+    if (crossing) {
+        pixel.pixel_class = class_of(crossing->kind);
+        pixel.offset = {crossing->dx, crossing->dy};
+    } else if (known && known(pixel.x, pixel.y, probe(x, y), pixel.theirs)) {
+        pixel.pixel_class = PixelClass::known;
+    }
+}
+
+/// Everything that is told about pixels away from edges.
+void measure_interior(Judgement& result, const Mask& edges, const std::vector<double>& differences,
+                      const Thresholds& limits) {
+    std::vector<double> interior;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        const PixelClass c = result.classes[i];
+        if (edges[i] == 0 && (c == PixelClass::agrees || c == PixelClass::unexplained)) {
+            interior.push_back(differences[i]);
+        }
+    }
+    result.interior_pixels = interior.size();
+    if (interior.empty()) return;
+    const auto within = std::count_if(interior.begin(), interior.end(),
+                                      [&](double d) { return d <= limits.tight; });
+    result.tight_share = static_cast<double>(within) / static_cast<double>(interior.size());
+    result.interior_max = *std::max_element(interior.begin(), interior.end());
+    result.interior_p999 = percentile(interior, 0.999);
+}
+
+/// A share of a count as a whole number of pixels; one is always allowed, or a small scene with one
+/// edge exactly through a pixel's centre could never pass.
+std::size_t allowed_pixels(double share, std::size_t of) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(of)));
+}
+
+void decide(Judgement& result, const Thresholds& limits) {
+    auto& failures = result.failures;
+    const std::size_t unexplained = result.count(PixelClass::unexplained);
+    if (unexplained > limits.unexplained) {
+        failures.push_back(fmt::format("{} unexplained pixels differ by more than {:g}, {} allowed",
+                                       unexplained, limits.interior, limits.unexplained));
+    }
+    if (result.tight_share < limits.tight_share) {
+        failures.push_back(
+            fmt::format("{:.3f} % of the pixels away from edges are within {:g}, {:g} % needed",
+                        result.tight_share * 100, limits.tight, limits.tight_share * 100));
+    }
+    const std::size_t most = allowed_pixels(limits.explained_share, result.edge_pixels);
+    if (result.explained > most) {
+        failures.push_back(fmt::format(
+            "{} pixels are explained by edges, at most {} are allowed ({:g} % of {} edge pixels)",
+            result.explained, most, limits.explained_share * 100, result.edge_pixels));
+    }
+    const std::size_t most_displaced = allowed_pixels(limits.displaced_share, result.edge_pixels);
+    if (result.displaced > most_displaced) {
+        failures.push_back(fmt::format(
+            "{} edges lie more than {:g} pixel apart in the two pictures, at most {} may",
+            result.displaced, limits.rounding, most_displaced));
+    }
+    if (result.edge_shift.is_significant(limits.rounding, 3)) {
+        failures.push_back(fmt::format(
+            "the explaining edges all lie to one side, by ({:.2g}, {:.2g}) pixel on average",
+            result.edge_shift.x, result.edge_shift.y));
+    }
+    if (result.picture_shift.is_significant(limits.shift, 5)) {
+        failures.push_back(
+            fmt::format("the other picture is shifted by ({:.2g}, {:.2g}) pixel, {:g} allowed",
+                        result.picture_shift.x, result.picture_shift.y, limits.shift));
+    }
+    if (result.count(PixelClass::known) > limits.known) {
+        failures.push_back(fmt::format("{} pixels differ by known rules, {} allowed",
+                                       result.count(PixelClass::known), limits.known));
+    }
+    result.pass = failures.empty();
+}
+
+}  // namespace
+
+std::string class_name(PixelClass pixel_class) {
+    switch (pixel_class) {
+        case PixelClass::agrees:
+            return "agrees";
+        case PixelClass::silhouette:
+            return "silhouette";
+        case PixelClass::shadow:
+            return "shadow";
+        case PixelClass::texture:
+            return "texture";
+        case PixelClass::secondary:
+            return "reflected edge";
+        case PixelClass::known:
+            return "known difference";
+        case PixelClass::unexplained:
+            return "unexplained";
+    }
+    return {};
+}
+
+Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
+                const Thresholds& limits, const KnownRule& known) {
+    assert(ours.width == theirs.width && ours.height == theirs.height);
+    Judgement result;
+    const std::vector<double> differences = pixel_differences(ours, theirs);
+    const Mask edges = find_edges(ours, probe);
+    result.pixels = differences.size();
+    result.edge_pixels =
+        static_cast<std::size_t>(std::count(edges.begin(), edges.end(), std::uint8_t{1}));
+    result.classes.assign(differences.size(), PixelClass::agrees);
+
+    Mask skip = edges;
+    std::vector<Offset> offsets;
+    std::size_t unexplained = 0;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        if (differences[i] <= limits.interior) continue;
+        DifferentPixel pixel;
+        pixel.x = static_cast<int>(i % static_cast<std::size_t>(ours.width));
+        pixel.y = static_cast<int>(i / static_cast<std::size_t>(ours.width));
+        pixel.difference = differences[i];
+        pixel.ours = color_at(ours, pixel.x, pixel.y);
+        pixel.theirs = color_at(theirs, pixel.x, pixel.y);
+        if (unexplained < enough_unexplained) classify(pixel, probe, limits, known);
+        if (pixel.pixel_class == PixelClass::unexplained) ++unexplained;
+        if (is_explained(pixel.pixel_class)) {
+            offsets.push_back(pixel.offset);
+            ++result.explained;
+            if (std::hypot(pixel.offset.x, pixel.offset.y) > limits.rounding) ++result.displaced;
+        }
+        if (pixel.pixel_class != PixelClass::unexplained || pixel.difference > no_shift)
+            skip[i] = 1;
+        result.classes[i] = pixel.pixel_class;
+        result.different.push_back(pixel);
+    }
+    for (const PixelClass c : result.classes) ++result.counts[static_cast<std::size_t>(c)];
+
+    measure_interior(result, edges, differences, limits);
+    result.edge_shift = mean_offset(offsets);
+    result.picture_shift = register_pictures(ours, theirs, skip);
+    decide(result, limits);
+    return result;
+}
+
+}  // namespace lancer::reference

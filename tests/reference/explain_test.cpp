@@ -1,0 +1,302 @@
+#include "reference/explain/explain.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/reference/tiny_tracer.h"
+
+namespace lancer::reference {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using tiny::World;
+
+/// The judge's word on a picture of `other`, taken for another program's rendering of `world`.
+Judgement judge_worlds(const World& world, const World& other, const Thresholds& limits = {}) {
+    return judge(tiny::Tracer(world).render(), tiny::Tracer(other).render(true),
+                 tiny::probe_of(world), limits);
+}
+
+std::string summary(const Judgement& j) {
+    std::string text;
+    for (const std::string& failure : j.failures) text += failure + "\n";
+    for (std::size_t i = 0; i < pixel_classes; ++i) {
+        text += class_name(static_cast<PixelClass>(i)) + " " + std::to_string(j.counts[i]) + "\n";
+    }
+    text += "edge pixels " + std::to_string(j.edge_pixels) + ", shift " +
+            std::to_string(j.picture_shift.x) + " " + std::to_string(j.picture_shift.y) + " +- " +
+            std::to_string(j.picture_shift.error_x) + "\n";
+    return text;
+}
+
+TEST(Judge, PassesTheSameWorldRoundedTo16Bits) {
+    const Judgement j = judge_worlds({}, {});
+    EXPECT_TRUE(j.pass) << summary(j);
+    EXPECT_EQ(j.count(PixelClass::agrees), j.pixels);
+    EXPECT_LE(j.interior_max, 0.5 / 65535 * 1.0001);
+    EXPECT_EQ(j.tight_share, 1);
+}
+
+TEST(Judge, FindsTheEdgesOfThePictureAndNotMore) {
+    const Judgement j = judge_worlds({}, {});
+    EXPECT_GT(j.edge_pixels, 1000u);
+    EXPECT_LT(j.edge_pixels, j.pixels / 2);
+}
+
+/// Cells whose border runs exactly through a row of pixel centres: which side a centre falls on is
+/// decided by the last bit.
+World tied() {
+    World world;
+    world.balls.clear();
+    world.cell = 40;
+    const double y_of_row = 80.5;
+    const double sy = 0.5 - y_of_row / world.height - 0.12;
+    world.texture_offset = -(6.5 - 1.25 * 1.6 / -sy);
+    return world;
+}
+
+TEST(Judge, ExplainsPixelsThatRoundingMovesAcrossAnEdge) {
+    const World world = tied();
+    Thresholds limits;
+    limits.explained_share = 1;
+    std::size_t explained = 0;
+    for (const double shift : {-1e-11, 1e-11}) {
+        World other = world;
+        other.shift_y = shift;
+        const Judgement j = judge_worlds(world, other, limits);
+        EXPECT_TRUE(j.pass) << summary(j);
+        EXPECT_EQ(j.count(PixelClass::texture), j.explained) << summary(j);
+        EXPECT_EQ(j.displaced, 0u);
+        explained += j.explained;
+    }
+    EXPECT_GT(explained, 50u) << "the border does not run through the row";
+}
+
+TEST(Judge, BoundsHowMuchEdgesMayExplain) {
+    const World world = tied();
+    World up = world;
+    World down = world;
+    up.shift_y = -1e-11;
+    down.shift_y = 1e-11;
+    const Judgement a = judge_worlds(world, up);
+    const Judgement b = judge_worlds(world, down);
+    const Judgement& j = a.explained > b.explained ? a : b;
+    EXPECT_FALSE(j.pass);
+    EXPECT_THAT(j.failures, Contains(HasSubstr("pixels are explained by edges, at most")));
+}
+
+TEST(Judge, NamesTheKindOfEdge) {
+    // One pixel at a time takes the value from across the nearest edge of each kind.
+    const World world;
+    const tiny::Tracer tracer(world);
+    const Probe probe = tiny::probe_of(world);
+    std::size_t seen[pixel_classes] = {};
+    for (int y = 0; y < world.height; ++y) {
+        for (int x = 0; x + 1 < world.width; ++x) {
+            // Bring the edge between the two pixels, if there is one, to the first one's centre.
+            double low = x + 0.5;
+            double high = x + 1.5;
+            const ProbeSample a = probe(low, y + 0.5);
+            const ProbeSample b = probe(high, y + 0.5);
+            if (distance(a.color, b.color) < 0.2) continue;
+            for (int i = 0; i < 45; ++i) {
+                const double middle = 0.5 * (low + high);
+                const Color c = probe(middle, y + 0.5).color;
+                (distance(c, a.color) < distance(c, b.color) ? low : high) = middle;
+            }
+            const ProbeSample before = probe(low, y + 0.5);
+            const ProbeSample after = probe(high, y + 0.5);
+            if (distance(before.color, after.color) < 0.1) continue;
+            // Glass on its very limb takes a value of its own, in a band thinner than any pixel is.
+            if (distance(probe(high + 1e-9, y + 0.5).color, after.color) > 1e-3) continue;
+            const auto crossing = find_crossing(probe, low, y + 0.5, after.color, 0.01, 1e-4);
+            ASSERT_TRUE(crossing) << x << " " << y;
+            EXPECT_LT(std::hypot(crossing->dx, crossing->dy), 1e-8);
+            if (before.object != after.object) {
+                EXPECT_EQ(crossing->kind, EdgeKind::silhouette);
+                ++seen[static_cast<std::size_t>(PixelClass::silhouette)];
+            } else if (before.lit != after.lit) {
+                EXPECT_EQ(crossing->kind, EdgeKind::shadow);
+                ++seen[static_cast<std::size_t>(PixelClass::shadow)];
+            } else if (before.path == after.path) {
+                EXPECT_EQ(crossing->kind, EdgeKind::texture);
+                ++seen[static_cast<std::size_t>(PixelClass::texture)];
+            } else {
+                EXPECT_EQ(crossing->kind, EdgeKind::secondary);
+                ++seen[static_cast<std::size_t>(PixelClass::secondary)];
+            }
+        }
+    }
+    for (const PixelClass c :
+         {PixelClass::silhouette, PixelClass::shadow, PixelClass::texture, PixelClass::secondary}) {
+        EXPECT_GT(seen[static_cast<std::size_t>(c)], 5u) << class_name(c);
+    }
+}
+
+TEST(FindCrossing, RefusesASmoothChangeHoweverSteep) {
+    const Probe slope = [](double x, double) {
+        ProbeSample sample;
+        sample.color = Color{1, 1, 1} * std::clamp(0.5 + 1e6 * (x - 0.5), 0.0, 1.0);
+        return sample;
+    };
+    EXPECT_FALSE(find_crossing(slope, 0.5, 0.5, {0.8, 0.8, 0.8}, 0.01, 1e-4));
+}
+
+TEST(FindCrossing, RefusesAnEdgeBehindWhichIsAnotherValue) {
+    const Probe step = [](double x, double) {
+        ProbeSample sample;
+        sample.color = x < 0.503 ? Color{0, 0, 0} : Color{1, 1, 1};
+        return sample;
+    };
+    EXPECT_FALSE(find_crossing(step, 0.5, 0.5, {0.9, 0.9, 0.9}, 0.01, 1e-4));
+    EXPECT_TRUE(find_crossing(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4));
+}
+
+TEST(FindCrossing, RefusesAnEdgeOutsideTheRadius) {
+    const Probe step = [](double x, double) {
+        ProbeSample sample;
+        sample.color = x < 0.512 ? Color{0, 0, 0} : Color{1, 1, 1};
+        return sample;
+    };
+    EXPECT_FALSE(find_crossing(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4));
+}
+
+TEST(FindCrossing, ReturnsTheOffsetOfTheEdge) {
+    const Probe step = [](double x, double y) {
+        ProbeSample sample;
+        sample.color = (x - 0.5) * 0.6 + (y - 0.5) * 0.8 < 0.004 ? Color{0, 0, 0} : Color{1, 1, 1};
+        return sample;
+    };
+    const auto crossing = find_crossing(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4);
+    ASSERT_TRUE(crossing);
+    EXPECT_NEAR(crossing->dx * 0.6 + crossing->dy * 0.8, 0.004, 1e-10);
+    EXPECT_NEAR(std::hypot(crossing->dx, crossing->dy), 0.004, 1e-4) << "16 directions";
+}
+
+// ---- Seeded faults: each is a mistake a ray tracer may make.
+
+TEST(SeededFault, ALampOnePercentDimmerIsUnexplained) {
+    World other;
+    other.brightness = 0.99;
+    const Judgement j = judge_worlds({}, other);
+    EXPECT_FALSE(j.pass);
+    EXPECT_GT(j.count(PixelClass::unexplained), j.pixels / 4) << summary(j);
+    EXPECT_EQ(j.explained, 0u) << summary(j);
+}
+
+TEST(SeededFault, AFlippedNormalIsUnexplained) {
+    World other;
+    other.balls[0].inside_out = true;
+    const Judgement j = judge_worlds({}, other);
+    EXPECT_FALSE(j.pass);
+    EXPECT_GT(j.count(PixelClass::unexplained), 500u) << summary(j);
+}
+
+TEST(SeededFault, AnIorOffByAHundredthIsUnexplained) {
+    World other;
+    other.balls[2].ior = 1.51;
+    const Judgement j = judge_worlds({}, other);
+    EXPECT_FALSE(j.pass);
+    EXPECT_GT(j.count(PixelClass::unexplained), 20u) << summary(j);
+}
+
+TEST(SeededFault, ATextureShiftedByATexelIsUnexplained) {
+    World other;
+    other.texture_offset += other.cell / 16;
+    const Judgement j = judge_worlds({}, other);
+    EXPECT_FALSE(j.pass);
+    EXPECT_GT(j.count(PixelClass::unexplained), 50u) << summary(j);
+}
+
+TEST(SeededFault, AMissingSphereIsUnexplained) {
+    World other;
+    other.balls.pop_back();
+    const Judgement j = judge_worlds({}, other);
+    EXPECT_FALSE(j.pass);
+    EXPECT_GT(j.count(PixelClass::unexplained), 300u) << summary(j);
+}
+
+TEST(SeededFault, AWrongGammaIsUnexplained) {
+    World other;
+    other.gamma = 1 / 2.2;
+    const Judgement j = judge_worlds({}, other);
+    EXPECT_FALSE(j.pass);
+    EXPECT_GT(j.count(PixelClass::unexplained), j.pixels / 4) << summary(j);
+}
+
+TEST(SeededFault, ACameraOffByHundredthsOfAPixelIsAShift) {
+    for (const double shift : {0.005, -0.005, 0.02}) {
+        World right;
+        right.shift_x = shift;
+        World down;
+        down.shift_y = shift;
+        const Judgement across = judge_worlds({}, right);
+        const Judgement along = judge_worlds({}, down);
+        EXPECT_FALSE(across.pass) << summary(across);
+        EXPECT_FALSE(along.pass) << summary(along);
+        EXPECT_THAT(across.failures, Contains(HasSubstr("the other picture is shifted")));
+        EXPECT_THAT(along.failures, Contains(HasSubstr("the other picture is shifted")));
+        // A camera that moves to the right shows everything further to the left.
+        EXPECT_NEAR(across.picture_shift.x, -shift, 0.25 * std::abs(shift)) << summary(across);
+        EXPECT_NEAR(along.picture_shift.y, -shift, 0.25 * std::abs(shift)) << summary(along);
+    }
+}
+
+TEST(SeededFault, ACameraOffInAFlatWorldShowsInItsEdges) {
+    // Without shading there is no gradient: only the edges can tell.
+    World world;
+    world.width = 640;
+    world.height = 480;
+    world.brightness = 0;
+    world.balls[1].mirror = 0;
+    world.balls.pop_back();
+    World other = world;
+    other.shift_x = 0.005;
+    const Judgement j = judge_worlds(world, other);
+    EXPECT_FALSE(j.pass) << summary(j);
+    EXPECT_GT(j.displaced, 1u) << summary(j);
+}
+
+// ---- The statistics
+
+TEST(Registration, FindsAShiftInNoise) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> noise(-1e-4, 1e-4);
+    Image ours(60, 50);
+    Image theirs(60, 50);
+    const auto surface = [](double x, double y, int c) {
+        return 0.5 + 0.3 * std::sin(0.2 * x + c) * std::cos(0.17 * y);
+    };
+    for (int y = 0; y < 50; ++y) {
+        for (int x = 0; x < 60; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                ours.pixel(x, y)[c] = surface(x, y, c);
+                theirs.pixel(x, y)[c] = surface(x - 0.01, y + 0.02, c) + noise(random);
+            }
+        }
+    }
+    const Shift shift = register_pictures(ours, theirs, Mask(60 * 50));
+    EXPECT_NEAR(shift.x, 0.01, 3 * shift.error_x + 2e-4);
+    EXPECT_NEAR(shift.y, -0.02, 3 * shift.error_y + 2e-4);
+    EXPECT_TRUE(shift.is_significant(1e-3, 5));
+    EXPECT_LT(shift.error_x, 1e-4);
+}
+
+TEST(Registration, HasNothingToSayOfAFlatPicture) {
+    const Image flat(20, 20);
+    const Shift shift = register_pictures(flat, flat, Mask(400));
+    EXPECT_EQ(shift.count, 0u);
+    EXPECT_FALSE(shift.is_significant(1e-3, 5));
+}
+
+TEST(MeanOffset, IsSignificantWhenAllLieOnOneSide) {
+    EXPECT_TRUE(mean_offset({{2e-3, 0}, {3e-3, 1e-4}, {1e-3, -1e-4}}).is_significant(1e-4, 3));
+    EXPECT_FALSE(mean_offset({{2e-3, 0}, {-3e-3, 0}, {1e-3, 0}}).is_significant(1e-4, 3));
+    EXPECT_FALSE(mean_offset({{2e-12, 0}, {3e-12, 0}, {2.5e-12, 0}}).is_significant(1e-4, 3));
+}
+
+}  // namespace
+}  // namespace lancer::reference
