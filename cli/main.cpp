@@ -1,1 +1,77 @@
-int main() { return 0; }
+// The command line. Everything that can go wrong ends here, as a message and an exit code.
+#include <CLI/CLI.hpp>
+#include <new>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/session.h"
+
+namespace lancer::cli {
+namespace {
+
+/// The command line's first word, when it is no command.
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+    const std::string word = argc > 1 ? argv[1] : "";
+    if (word.starts_with("-")) return;
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        if (command->get_name() == word) return;
+        names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    throw UsageError(
+        (word.empty() ? "a command is missing" : "there is no command '" + word + "'") +
+        ": expected one of " + names);
+}
+
+ExitCode parse_and_run(int argc, char** argv, Session& session) {
+    CLI::App app("Lancer: a small scene language and the ray tracer that renders it", "lancer");
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(30);
+    app.set_version_flag("--version", "lancer " LANCER_VERSION);
+
+    Action action;
+    add_compare(app, action);
+    for (CLI::App* command : app.get_subcommands({}))
+        command->set_version_flag("--version", "lancer " LANCER_VERSION);
+    refuse_unknown_command(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        app.exit(help);  // prints what was asked for
+        return ExitCode::done;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    return action(session);
+}
+
+}  // namespace
+}  // namespace lancer::cli
+
+int main(int argc, char** argv) {
+    using namespace lancer;
+    using namespace lancer::cli;
+    end_on_interrupt();
+    Session session;
+    const auto ended = [&session](ExitCode code, const std::string& message) {
+        session.terminal.error(message);
+        return static_cast<int>(code);
+    };
+    try {
+        return static_cast<int>(parse_and_run(argc, argv, session));
+    } catch (const UsageError& error) {
+        session.terminal.error(error.what());
+        session.terminal.line("    hint: lancer --help, or lancer COMMAND --help");
+        return static_cast<int>(ExitCode::usage);
+    } catch (const SceneRejected&) {
+        return static_cast<int>(ExitCode::scene);
+    } catch (const SceneError& error) {
+        session.terminal.show({{Severity::error, error.where, error.what(), "", {}}},
+                              session.sources);
+        return static_cast<int>(ExitCode::scene);
+    } catch (const FileError& error) {
+        return ended(ExitCode::files, error.what());
+    } catch (const std::bad_alloc&) {
+        return ended(ExitCode::files, "not enough memory");
+    }
+}

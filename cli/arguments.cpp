@@ -1,0 +1,125 @@
+#include "cli/arguments.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "cli/session.h"
+
+namespace lancer::cli {
+namespace {
+
+/// The whole of `text` as a number, or nothing.
+template <class Number>
+std::optional<Number> read(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+/// N whole numbers with `separator` between them, or nothing.
+template <std::size_t N>
+std::optional<std::array<int, N>> read_list(std::string_view text, char separator) {
+    std::array<int, N> values{};
+    for (std::size_t i = 0; i < N; ++i) {
+        const std::size_t end = i + 1 < N ? text.find(separator) : text.size();
+        if (end == std::string_view::npos) return std::nullopt;
+        const auto value = read<int>(text.substr(0, end));
+        if (!value) return std::nullopt;
+        values[i] = *value;
+        text.remove_prefix(i + 1 < N ? end + 1 : end);
+    }
+    return values;
+}
+
+}  // namespace
+
+double FrameRange::time(std::int64_t frame) const {
+    if (first == last) return 0;
+    return static_cast<double>(frame - first) / static_cast<double>(last - first);
+}
+
+PictureSize parse_size(const std::string& text) {
+    const auto sides = read_list<2>(text, 'x');
+    if (!sides || (*sides)[0] < 1 || (*sides)[1] < 1) {
+        throw UsageError(
+            fmt::format("'{}' is no picture size: expected WIDTHxHEIGHT, as in 640x480", text));
+    }
+    return {(*sides)[0], (*sides)[1]};
+}
+
+Crop parse_crop(const std::string& text) {
+    const auto v = read_list<4>(text, ',');
+    if (!v || (*v)[0] < 0 || (*v)[1] < 0 || (*v)[2] < 1 || (*v)[3] < 1) {
+        throw UsageError(fmt::format(
+            "'{}' is no crop: expected X,Y,WIDTH,HEIGHT in pixels from the top left corner", text));
+    }
+    return {(*v)[0], (*v)[1], (*v)[2], (*v)[3]};
+}
+
+FrameRange parse_frames(const std::string& text) {
+    // Far more than anybody renders, and small enough that differences and names cannot overflow.
+    constexpr std::int64_t largest = 1'000'000'000;
+    const std::size_t dots = text.find("..");
+    if (dots != std::string::npos) {
+        const auto first = read<std::int64_t>(std::string_view(text).substr(0, dots));
+        const auto last = read<std::int64_t>(std::string_view(text).substr(dots + 2));
+        if (first && last && std::abs(*first) <= largest && std::abs(*last) <= largest) {
+            if (*first > *last)
+                throw UsageError(
+                    fmt::format("'{}' holds no frame: the first is above the last", text));
+            return {*first, *last};
+        }
+    }
+    throw UsageError(fmt::format("'{}' is no range of frames: expected A..B, as in 1..10", text));
+}
+
+double parse_number(const std::string& text) {
+    const auto value = read<double>(text);
+    if (!value || !std::isfinite(*value)) throw UsageError(fmt::format("'{}' is no number", text));
+    return *value;
+}
+
+std::int64_t parse_whole_number(const std::string& text) {
+    const auto value = read<std::int64_t>(text);
+    if (!value) throw UsageError(fmt::format("'{}' is no whole number", text));
+    return *value;
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                        double least, double most, const std::string& help) {
+    return app.add_option_function<std::string>(
+        name,
+        [&target, name, least, most](const std::string& text) {
+            const double value = parse_number(text);
+            if (value < least || value > most) {
+                throw UsageError(
+                    most == std::numeric_limits<double>::max()
+                        ? fmt::format("{} must be at least {}", name, least)
+                        : fmt::format("{} must lie between {} and {}", name, least, most));
+            }
+            target = value;
+        },
+        help);
+}
+
+CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
+                              std::optional<std::int64_t>& target, std::int64_t least,
+                              std::int64_t most, const std::string& help) {
+    return app.add_option_function<std::string>(
+        name,
+        [&target, name, least, most](const std::string& text) {
+            const std::int64_t value = parse_whole_number(text);
+            if (value < least || value > most)
+                throw UsageError(fmt::format("{} must lie between {} and {}", name, least, most));
+            target = value;
+        },
+        help);
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,44 @@
+// Words of the command line → values. Numbers are read whole, without a locale, inside their
+// bounds.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tracer/render.h"
+
+namespace lancer::cli {
+
+/// `640x480`
+struct PictureSize {
+    int width = 0;
+    int height = 0;
+};
+
+/// `1..10`: both ends belong to it, the first is not above the last.
+struct FrameRange {
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+
+    std::uint64_t count() const { return static_cast<std::uint64_t>(last - first) + 1; }
+    /// 0 at the first frame, 1 at the last; 0 when there is one frame only.
+    double time(std::int64_t frame) const;
+};
+
+/// Each throws UsageError that says what is expected.
+PictureSize parse_size(const std::string& text);
+Crop parse_crop(const std::string& text);
+FrameRange parse_frames(const std::string& text);
+double parse_number(const std::string& text);
+std::int64_t parse_whole_number(const std::string& text);
+
+/// Options that set `target` when they stand on the command line.
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                        double least, double most, const std::string& help);
+CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
+                              std::optional<std::int64_t>& target, std::int64_t least,
+                              std::int64_t most, const std::string& help);
+
+}  // namespace lancer::cli

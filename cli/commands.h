@@ -1,0 +1,16 @@
+// The commands, one file each. Each function adds its command to the command line; once the command
+// has been named there, `action` is what to do.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/session.h"
+
+namespace lancer::cli {
+
+void add_render(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+
+}  // namespace lancer::cli

@@ -1,0 +1,75 @@
+// lancer compare
+#include "reference/compare/compare.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "model/io/file.h"
+#include "model/io/image_file.h"
+#include "reference/compare/comparison_text.h"
+#include "reference/compare/heat_map.h"
+
+namespace lancer::cli {
+namespace {
+
+struct CompareJob {
+    std::string a;
+    std::string b;
+    std::string heat_map;
+    std::string json;
+    std::optional<double> fail;
+    std::optional<double> fail_percent;
+    bool quiet = false;
+};
+
+void write_heat_map(const CompareJob& job, const Image& a, const Image& b) {
+    io::write_image(job.heat_map, reference::heat_map(reference::pixel_differences(a, b), a.width),
+                    {});
+}
+
+ExitCode compare(const CompareJob& job) {
+    if (!job.heat_map.empty() && !io::is_writable_image_name(job.heat_map)) {
+        throw UsageError(
+            fmt::format("'{}' does not end in the name of an image format, as .png", job.heat_map));
+    }
+    const Image a = io::read_image(job.a);
+    const Image b = io::read_image(job.b);
+    reference::CompareOptions options;
+    options.fail = job.fail.value_or(options.fail);
+    options.fail_percent = job.fail_percent.value_or(options.fail_percent);
+    const reference::Comparison comparison = reference::compare_images(a, b, options);
+
+    const HoldInterrupts hold;
+    if (!job.json.empty()) io::write_file(job.json, reference::to_json(comparison, options));
+    if (!job.heat_map.empty() && comparison.comparable) write_heat_map(job, a, b);
+    if (!job.quiet) fmt::print("{}", reference::to_text(comparison, options));
+    return comparison.pass ? ExitCode::done : ExitCode::differs;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+    CLI::App& command =
+        *app.add_subcommand("compare", "Measure how far apart two pictures are, in linear light");
+    const auto job = std::make_shared<CompareJob>();
+    command.add_option("A", job->a, "A picture")->required()->type_name("");
+    command.add_option("B", job->b, "The other picture")->required()->type_name("");
+    command.add_option("-o,--output", job->heat_map, "Write the differences as a heat map")
+        ->type_name("HEAT.png");
+    add_number(command, "--fail", job->fail, 0, std::numeric_limits<double>::max(),
+               "A pixel that differs by more than X is over (default 0)")
+        ->type_name("X");
+    add_number(command, "--fail-percent", job->fail_percent, 0, 100,
+               "More than P percent of the pixels over: the pictures differ (default 0)")
+        ->type_name("P");
+    command.add_option("--json", job->json, "Write the measures as JSON")->type_name("FILE");
+    command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
+    command.callback([&action, job] { action = [job](Session&) { return compare(*job); }; });
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,15 @@
+// What the process tells its caller.
+#pragma once
+
+namespace lancer::cli {
+
+enum class ExitCode {
+    done = 0,
+    differs = 1,       ///< images differ, or a check failed
+    usage = 2,         ///< wrong use of the command line
+    scene = 3,         ///< the scene has errors
+    files = 4,         ///< a file cannot be read or written; POV-Ray is missing or failed
+    interrupted = 130  ///< by SIGINT, as shells number it
+};
+
+}  // namespace lancer::cli

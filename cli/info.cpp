@@ -1,0 +1,130 @@
+// lancer info
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/scene_loader.h"
+#include "cli/scene_summary.h"
+
+namespace lancer::cli {
+namespace {
+
+struct InfoJob {
+    std::string scene;
+    bool json = false;
+    SceneOptions scene_options;
+};
+
+/// `3 spheres, 1 box`
+std::string list_of(const std::vector<Count>& counts) {
+    std::string text;
+    for (const auto& [kind, number] : counts) {
+        const char* plural = number == 1                                  ? ""
+                             : kind.ends_with('x') || kind.ends_with('h') ? "es"
+                                                                          : "s";
+        text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, kind, plural);
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string projection_of(const Camera& camera) {
+    if (const auto* p = std::get_if<PerspectiveProjection>(&camera.projection))
+        return fmt::format("perspective, {} degrees", p->fov);
+    return fmt::format("orthographic, {} high",
+                       std::get<OrthographicProjection>(camera.projection).height);
+}
+
+void print_text(const Scene& scene, const SceneSummary& summary) {
+    const auto row = [](const char* name, const std::string& text) {
+        fmt::print("{:<10} {}\n", name, text);
+    };
+    row("picture",
+        fmt::format("{} x {}, {} rays per pixel, {} levels", scene.width, scene.height,
+                    scene.settings.samples * scene.settings.samples, scene.settings.max_depth));
+    std::string cameras;
+    for (const Camera& camera : scene.cameras) {
+        cameras += fmt::format("{}{}{}({})", cameras.empty() ? "" : "; ", camera.name,
+                               camera.name.empty() ? "" : " ", projection_of(camera));
+    }
+    row("cameras", cameras.empty() ? "none" : cameras);
+    row("lights", list_of(summary.lights));
+    row("shapes", list_of(summary.shapes));
+    if (summary.triangles > 0) {
+        row("triangles", fmt::format("{}, in {} stored mesh{}", summary.triangles, summary.meshes,
+                                     summary.meshes == 1 ? "" : "es"));
+    }
+    row("surfaces", fmt::format("{}, {}, {}", list_of({{"material", summary.materials}}),
+                                list_of({{"texture", summary.textures}}),
+                                list_of({{"image", summary.images}})));
+    fmt::print("\nIt requires of the renderer{}\n",
+               summary.requirements.empty() ? " nothing special" : ":");
+    for (const Requirement& r : summary.requirements) {
+        fmt::print("  {:<17} {}\n  {:<17} {}: {}\n", name_of(r.feature), meaning_of(r.feature), "",
+                   r.place, r.by);
+    }
+}
+
+nlohmann::ordered_json as_json(const std::vector<Count>& counts) {
+    auto json = nlohmann::ordered_json::object();
+    for (const auto& [kind, number] : counts) json[std::string(kind)] = number;
+    return json;
+}
+
+void print_json(const std::string& path, const Scene& scene, const SceneSummary& summary) {
+    nlohmann::ordered_json json;
+    json["scene"] = path;
+    json["picture"] = {{"width", scene.width},
+                       {"height", scene.height},
+                       {"samples", scene.settings.samples},
+                       {"max_depth", scene.settings.max_depth}};
+    json["cameras"] = nlohmann::ordered_json::array();
+    for (const Camera& camera : scene.cameras)
+        json["cameras"].push_back({{"name", camera.name}, {"projection", projection_of(camera)}});
+    json["lights"] = as_json(summary.lights);
+    json["shapes"] = as_json(summary.shapes);
+    json["triangles"] = summary.triangles;
+    json["meshes"] = summary.meshes;
+    json["materials"] = summary.materials;
+    json["textures"] = summary.textures;
+    json["images"] = summary.images;
+    json["requires"] = nlohmann::ordered_json::array();
+    for (const Requirement& r : summary.requirements) {
+        json["requires"].push_back({{"feature", name_of(r.feature)},
+                                    {"meaning", meaning_of(r.feature)},
+                                    {"by", r.by},
+                                    {"place", r.place}});
+    }
+    // A scene's names need not be UTF-8 when they come from the command line.
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+ExitCode info(const InfoJob& job, Session& session) {
+    SceneLoader loader(job.scene, job.scene_options, session);
+    const Scene scene = loader.load();
+    const SceneSummary summary = summarize(scene, session.sources);
+    if (job.json) {
+        print_json(job.scene, scene, summary);
+    } else {
+        print_text(scene, summary);
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+    CLI::App& command = *app.add_subcommand(
+        "info", "Tell what a scene holds, what it requires of the renderer, and why");
+    const auto job = std::make_shared<InfoJob>();
+    command.add_option("SCENE", job->scene, "Scene file; - reads standard input")
+        ->required()
+        ->type_name("");
+    command.add_flag("--json", job->json, "As JSON");
+    add_scene_options(command, job->scene_options);
+    command.callback(
+        [&action, job] { action = [job](Session& session) { return info(*job, session); }; });
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,53 @@
+#include "cli/interrupt.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <initializer_list>
+
+namespace lancer::cli {
+namespace {
+
+constexpr int exit_code_of_signals = 128;  // plus the signal's number, as shells have it
+
+extern "C" void end_process(int signal_number) {
+    // Only what is safe in a signal handler. A progress bar may stand on the line.
+    if (isatty(STDERR_FILENO) == 1) [[maybe_unused]]
+        const auto written = write(STDERR_FILENO, "\n", 1);
+    _exit(exit_code_of_signals + signal_number);
+}
+
+sigset_t interrupts() {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    return set;
+}
+
+}  // namespace
+
+void end_on_interrupt() {
+    struct sigaction action {};
+    action.sa_handler = end_process;
+    for (const int signal_number : {SIGINT, SIGTERM}) {
+        struct sigaction before {};
+        sigaction(signal_number, nullptr, &before);
+        // A caller that ignores the signal (nohup, a shell's background job) has its reasons.
+        if (before.sa_handler != SIG_IGN) sigaction(signal_number, &action, nullptr);
+    }
+}
+
+// No other thread runs while a file is written, or it has inherited the mask: a signal that is held
+// here is held for the whole process.
+HoldInterrupts::HoldInterrupts() {
+    const sigset_t set = interrupts();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+}
+
+HoldInterrupts::~HoldInterrupts() {
+    const sigset_t set = interrupts();
+    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,63 @@
+#include "cli/output_names.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <filesystem>
+
+#include "cli/session.h"
+
+namespace lancer::cli {
+
+std::string default_output(const std::string& scene) {
+    if (scene == "-") return "stdin.png";
+    return std::filesystem::path(scene).filename().replace_extension(".png").string();
+}
+
+FrameNames::FrameNames(const std::string& pattern) {
+    constexpr std::size_t widest = 20;
+    bool number_found = false;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        std::string& part = number_found ? after_ : before_;
+        if (pattern[i] != '%') {
+            part += pattern[i];
+            continue;
+        }
+        if (pattern.substr(i + 1, 1) == "%") {
+            part += '%';
+            ++i;
+            continue;
+        }
+        std::size_t at = i + 1;
+        fill_ = pattern.substr(at, 1) == "0" ? '0' : ' ';
+        std::size_t width = 0;
+        while (at < pattern.size() && std::isdigit(static_cast<unsigned char>(pattern[at])) != 0 &&
+               width <= widest)
+            width = width * 10 + static_cast<std::size_t>(pattern[at++] - '0');
+        if (number_found || width > widest || pattern.substr(at, 1) != "d") {
+            throw UsageError(fmt::format(
+                "'{}' is no pattern for frames: expected one %d, as in out-%04d.png", pattern));
+        }
+        width_ = width;
+        number_found = true;
+        i = at;
+    }
+    if (number_found) return;
+    const std::filesystem::path path(before_);
+    after_ = path.extension().string();
+    before_ = before_.substr(0, before_.size() - after_.size()) + "-";
+    fill_ = '0';
+    width_ = 4;
+}
+
+std::string FrameNames::name(std::int64_t frame) const {
+    std::string digits = std::to_string(frame < 0 ? -frame : frame);
+    const std::string sign = frame < 0 ? "-" : "";
+    const std::size_t length = digits.size() + sign.size();
+    const std::string padding(width_ > length ? width_ - length : 0, fill_);
+    // As printf: zeros stand after the sign, blanks before it.
+    digits = fill_ == '0' ? sign + padding + digits : padding + sign + digits;
+    return before_ + digits + after_;
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,29 @@
+// What the pictures are called.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace lancer::cli {
+
+/// Where the picture of `scene` goes when nobody says: its name with .png, in the current folder.
+std::string default_output(const std::string& scene);
+
+/// The names of an animation's pictures, from a pattern with one %d: `out-%d.png`, or
+/// `out-%04d.png` for at least four digits with zeros before, `out-%4d.png` with blanks; %% stands
+/// for a percent sign. A pattern without %d gets `-%04d` before its ending. The pattern never
+/// reaches printf.
+class FrameNames {
+  public:
+    /// Throws UsageError for any other use of %.
+    explicit FrameNames(const std::string& pattern);
+    std::string name(std::int64_t frame) const;
+
+  private:
+    std::string before_;
+    std::string after_;
+    char fill_ = '0';
+    std::size_t width_ = 0;
+};
+
+}  // namespace lancer::cli

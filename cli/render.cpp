@@ -1,0 +1,88 @@
+// lancer render
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/render_job.h"
+
+namespace lancer::cli {
+namespace {
+
+/// Options whose feature has not been built say so, instead of being unknown.
+void add_not_yet(CLI::App& app, const std::string& name, const std::string& type,
+                 const std::string& help) {
+    app.add_option_function<std::string>(
+           name, [name](const std::string&) { throw UsageError(name + " is not there yet"); },
+           help + " (not there yet)")
+        ->type_name(type);
+}
+
+void add_output_options(CLI::App& app, RenderJob& job) {
+    const char* group = "Output";
+    app.add_option(
+           "-o,--output", job.output,
+           "Picture: .png .exr .hdr .tif .tiff .jpg .jpeg .ppm; the scene's name with .png in "
+           "the current folder by default")
+        ->type_name("OUT")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--bits",
+           [&job](const std::string& text) {
+               if (text != "8" && text != "16") throw UsageError("--bits must be 8 or 16");
+               job.image.bits = text == "8" ? 8 : 16;
+           },
+           "Bits per channel of PNG, TIFF and PPM: 8 (default) or 16")
+        ->type_name("N")
+        ->group(group);
+    app.add_flag("--linear", job.image.linear, "Linear values instead of the sRGB curve")
+        ->group(group);
+    app.add_flag("--aov", job.aov,
+                 "Also object id, depth, normal and shadow, as channels of an EXR")
+        ->group(group);
+    app.add_option("--stats", job.statistics,
+                   "Write times and counts as JSON; - shows them as text on standard output")
+        ->type_name("FILE")
+        ->group(group);
+    app.add_flag("-q,--quiet", job.quiet, "No progress bar and no closing line")->group(group);
+}
+
+void add_view_options(CLI::App& app, RenderJob& job) {
+    const char* group = "View";
+    app.add_option("--camera", job.camera, "Name of the camera; the first by default")
+        ->type_name("NAME")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--size", [&job](const std::string& text) { job.size = parse_size(text); },
+           "Size of the picture in pixels")
+        ->type_name("WxH")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--crop", [&job](const std::string& text) { job.crop = parse_crop(text); },
+           "Only this part of the picture, in pixels from its top left corner")
+        ->type_name("X,Y,W,H")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--frames", [&job](const std::string& text) { job.frames = parse_frames(text); },
+           "An animation: `frame` runs from A to B, `time` from 0 to 1; with -o out-%04d.png")
+        ->type_name("A..B")
+        ->group(group);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Action& action) {
+    CLI::App& command = *app.add_subcommand("render", "Render a scene to a picture");
+    const auto job = std::make_shared<RenderJob>();
+    command.add_option("SCENE", job->scene, "Scene file; - reads standard input")
+        ->required()
+        ->type_name("");
+    add_output_options(command, *job);
+    add_view_options(command, *job);
+    add_settings_options(command, job->settings);
+    add_not_yet(command, "--max-error", "E", "Sample until the error is below E");
+    add_not_yet(command, "--time", "S", "The best picture within S seconds");
+    add_scene_options(command, job->scene_options);
+    command.callback(
+        [&action, job] { action = [job](Session& session) { return run(*job, session); }; });
+}
+
+}  // namespace lancer::cli

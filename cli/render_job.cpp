@@ -1,0 +1,201 @@
+#include "cli/render_job.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/interrupt.h"
+#include "cli/memory_bound.h"
+#include "cli/output_names.h"
+#include "cli/progress.h"
+#include "cli/statistics.h"
+#include "cli/stopwatch.h"
+#include "model/io/file.h"
+#include "tracer/render.h"
+
+namespace lancer::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ending_of(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+/// What can be said of the output's name before any work.
+void check_format(const RenderJob& job, const std::string& output) {
+    if (!io::is_writable_image_name(output)) {
+        throw UsageError(fmt::format(
+            "'{}': the name of a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm",
+            output));
+    }
+    const std::string ending = ending_of(output);
+    if (job.aov && ending != ".exr") throw UsageError("--aov needs an .exr file: -o OUT.exr");
+    const bool is_deep =
+        ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".ppm";
+    if (job.image.bits == 16 && !is_deep)
+        throw UsageError(fmt::format("--bits 16 is for .png, .tif and .ppm, not for '{}'", output));
+}
+
+/// Finds out now, not after an hour of tracing, that a file cannot be written.
+void check_writable(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    const std::string where = folder.empty() ? "." : folder.string();
+    std::error_code ignored;
+    if (!fs::is_directory(where, ignored))
+        throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", path, where));
+    if (access(where.c_str(), W_OK | X_OK) != 0)
+        throw FileError(fmt::format("cannot write '{}': no right to write in '{}'", path, where));
+    if (fs::is_directory(path, ignored))
+        throw FileError(fmt::format("cannot write '{}': it is a folder", path));
+}
+
+std::size_t find_camera(const RenderJob& job, const Scene& scene) {
+    if (job.camera.empty()) return 0;
+    std::string names;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        if (scene.cameras[i].name == job.camera) return i;
+        names += (i > 0 ? ", " : "") + scene.cameras[i].name;
+    }
+    throw UsageError(
+        fmt::format("--camera: the scene has no camera '{}'; it has: {}", job.camera, names));
+}
+
+View view_of(const RenderJob& job, const Scene& scene) {
+    View view;
+    view.camera = find_camera(job, scene);
+    view.width = job.size ? job.size->width : scene.width;
+    view.height = job.size ? job.size->height : scene.height;
+    view.crop = job.crop;
+    view.aov = job.aov;
+    if (job.crop) {
+        const Crop& c = *job.crop;
+        if (c.x >= view.width || c.y >= view.height || c.width > view.width - c.x ||
+            c.height > view.height - c.y) {
+            throw UsageError(fmt::format("--crop {},{},{},{} leaves the picture of {}x{} pixels",
+                                         c.x, c.y, c.width, c.height, view.width, view.height));
+        }
+    }
+    const int width = job.crop ? job.crop->width : view.width;
+    const int height = job.crop ? job.crop->height : view.height;
+    const int channels = job.aov ? 9 : 3;
+    const std::uint64_t needed = picture_bytes(width, height, channels);
+    if (needed > available_memory()) {
+        const std::string message =
+            fmt::format("a picture of {}x{} pixels needs {:.1f} GB of memory, which is not there",
+                        width, height, static_cast<double>(needed) / 1e9);
+        if (job.size || job.crop) throw UsageError(message);
+        throw SceneError({}, message);
+    }
+    return view;
+}
+
+class Rendering {
+  public:
+    Rendering(const RenderJob& job, Session& session)
+        : job_(job),
+          session_(session),
+          loader_(job.scene, job.scene_options, session),
+          progress_(session.terminal, job.quiet, frame_count(job)) {}
+
+    /// One picture, from the script to the file.
+    void render(double frame, double time, const std::string& output) {
+        progress_.clear();  // the script may print
+        Scene scene = loader_.load(frame, time);
+        require_camera(scene);
+        job_.settings.apply_to(scene.settings);
+        const View view = view_of(job_, scene);
+
+        Stopwatch watch;
+        const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings);
+        statistics_.build += watch.seconds();
+        statistics_.count(scene, renderer->counts());
+        statistics_.threads = scene.settings.threads;
+
+        watch = {};
+        RayCounts rays;
+        progress_.begin_part(statistics_.frames);
+        const Image image = renderer->render(
+            view, [this](double share) { progress_.update(share); }, rays);
+        statistics_.trace += watch.seconds();
+        statistics_.add(rays);
+
+        watch = {};
+        {
+            const HoldInterrupts hold;
+            io::write_image(output, image, job_.image);
+        }
+        statistics_.write += watch.seconds();
+        ++statistics_.frames;
+        width_ = image.width;
+        height_ = image.height;
+    }
+
+    /// Statistics and the closing line.
+    void finish(const std::string& what) {
+        progress_.clear();
+        statistics_.parse = loader_.parse_seconds();
+        statistics_.evaluate = loader_.evaluate_seconds();
+        statistics_.total = watch_.seconds();
+        if (job_.statistics == "-") {
+            fmt::print("{}", to_text(statistics_));
+        } else if (!job_.statistics.empty()) {
+            const HoldInterrupts hold;
+            io::write_file(job_.statistics, to_json(statistics_));
+        }
+        if (!job_.quiet)
+            fmt::print("{} ({}x{}) in {:.2f} s\n", what, width_, height_, statistics_.total);
+    }
+
+  private:
+    static std::size_t frame_count(const RenderJob& job) {
+        return job.frames ? static_cast<std::size_t>(job.frames->count()) : 1;
+    }
+
+    void require_camera(const Scene& scene) {
+        if (statistics_.frames > 0 && !scene.cameras.empty()) return;
+        std::vector<Diagnostic> missing = missing_parts(scene);
+        if (scene.cameras.empty()) missing.front().severity = Severity::error;
+        if (session_.terminal.show(missing, session_.sources) > 0) throw SceneRejected();
+    }
+
+    Stopwatch watch_;
+    const RenderJob& job_;
+    Session& session_;
+    SceneLoader loader_;
+    ProgressBar progress_;
+    Statistics statistics_;
+    int width_ = 0;
+    int height_ = 0;
+};
+
+}  // namespace
+
+ExitCode run(const RenderJob& job, Session& session) {
+    const std::string output = job.output.empty() ? default_output(job.scene) : job.output;
+    check_format(job, output);
+    check_writable(output);
+    if (!job.statistics.empty() && job.statistics != "-") check_writable(job.statistics);
+
+    if (!job.frames) {
+        Rendering rendering(job, session);
+        rendering.render(0, 0, output);
+        rendering.finish("wrote " + output);
+        return ExitCode::done;
+    }
+    const FrameNames names(output);
+    const FrameRange& frames = *job.frames;
+    Rendering rendering(job, session);
+    for (std::int64_t frame = frames.first; frame <= frames.last; ++frame)
+        rendering.render(static_cast<double>(frame), frames.time(frame), names.name(frame));
+    rendering.finish(fmt::format("wrote {} pictures, {} to {}", frames.count(),
+                                 names.name(frames.first), names.name(frames.last)));
+    return ExitCode::done;
+}
+
+}  // namespace lancer::cli

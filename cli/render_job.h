@@ -1,0 +1,34 @@
+// `render` as a plan: what to make of a scene, checked as far as possible before the scene is read.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/arguments.h"
+#include "cli/scene_loader.h"
+#include "cli/session.h"
+#include "cli/settings_options.h"
+#include "model/io/image_file.h"
+
+namespace lancer::cli {
+
+struct RenderJob {
+    std::string scene;
+    std::string output;  ///< empty: the scene's name with .png
+    std::string camera;  ///< empty: the first
+    std::optional<PictureSize> size;
+    std::optional<Crop> crop;
+    std::optional<FrameRange> frames;
+    bool aov = false;
+    bool quiet = false;
+    std::string
+        statistics;  ///< path of the JSON file; `-`: for people, to standard output; may be empty
+    io::ImageWriteOptions image;
+    SceneOptions scene_options;
+    SettingsOptions settings;
+};
+
+/// Renders all pictures and writes them. Throws UsageError, SceneRejected, SceneError, FileError.
+ExitCode run(const RenderJob& job, Session& session);
+
+}  // namespace lancer::cli

@@ -1,0 +1,127 @@
+#include "cli/scene_loader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/arguments.h"
+#include "cli/deep_stack.h"
+#include "cli/stopwatch.h"
+#include "model/io/file.h"
+
+namespace lancer::cli {
+namespace {
+
+/// More than any limit on scripts asks for, and small enough that /dev/zero cannot eat the machine.
+std::size_t most_bytes_read(const Limits& limits) {
+    constexpr std::uint64_t least = std::uint64_t(1) << 30;
+    return static_cast<std::size_t>(std::max(least, limits.source_bytes + 1));
+}
+
+void add_limit(CLI::App& app, const std::string& name, std::uint64_t& target, std::int64_t most,
+               const std::string& what) {
+    app.add_option_function<std::string>(
+           "--limit-" + name,
+           [&target, name, most](const std::string& text) {
+               const std::int64_t value = parse_whole_number(text);
+               if (value < 1 || value > most) {
+                   throw UsageError(
+                       fmt::format("--limit-{} must lie between 1 and {}", name, most));
+               }
+               target = static_cast<std::uint64_t>(value);
+           },
+           fmt::format("{} (default {})", what, target))
+        ->type_name("N")
+        ->group("Limits");
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& app, SceneOptions& options) {
+    app.add_option_function<std::vector<std::string>>(
+           "-D",
+           [&options](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) {
+                   const std::size_t equals = text.find('=');
+                   if (equals == std::string::npos || equals == 0) {
+                       throw UsageError(
+                           fmt::format("-D '{}': expected name=value, as in -D level=5", text));
+                   }
+                   options.definitions.emplace_back(text.substr(0, equals),
+                                                    text.substr(equals + 1));
+               }
+           },
+           "Give a param of the script another value; may stand several times")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+
+    constexpr std::int64_t most = 1'000'000'000'000;
+    constexpr std::int64_t deepest = 1'000'000;
+    Limits& limits = options.limits;
+    add_limit(app, "statements", limits.statements, most, "Statements executed");
+    add_limit(app, "calls", limits.calls, deepest, "Nested calls and includes");
+    add_limit(app, "nesting", limits.nesting, deepest, "Levels of nesting in the text");
+    add_limit(app, "source-bytes", limits.source_bytes, std::int64_t(1) << 32,
+              "Bytes of all source files");
+    add_limit(app, "list-elements", limits.list_elements, most, "List elements ever made");
+    add_limit(app, "objects", limits.objects, 4'000'000'000, "Objects of the scene");
+}
+
+SceneLoader::SceneLoader(const std::string& path, const SceneOptions& options, Session& session)
+    : options_(options), session_(session) {
+    const Stopwatch watch;
+    std::string text = io::read_file(path, most_bytes_read(options.limits));
+    run_on_deep_stack(options_.limits, [&] {
+        script_ =
+            parse_script(path, std::move(text), options_.limits, session_.sources, syntax_errors_);
+    });
+    parse_seconds_ = watch.seconds();
+}
+
+Scene SceneLoader::load(double frame, double time) {
+    const Stopwatch watch;
+    const Definitions definitions{options_.definitions, frame, time};
+    std::vector<Diagnostic> found = syntax_errors_;
+    Evaluation evaluation;
+    run_on_deep_stack(options_.limits, [&] {
+        evaluation = evaluate(script_, definitions, options_.limits, session_.sources, found);
+    });
+    evaluate_seconds_ += watch.seconds();
+
+    for (const std::string& text : evaluation.printed) session_.terminal.line(text);
+    // A wrong -D makes errors of its own in the scene. After a syntax error, though, it may be
+    // wrong only because its param could not be read.
+    if (!evaluation.usage_errors.empty() && syntax_errors_.empty()) {
+        const Diagnostic& first = evaluation.usage_errors.front();
+        throw UsageError(first.hint.empty() ? first.message
+                                            : fmt::format("{}: {}", first.message, first.hint));
+    }
+    show_new(std::move(found));
+    return std::move(evaluation.scene);
+}
+
+void SceneLoader::show_new(std::vector<Diagnostic> found) {
+    std::erase_if(found, [this](const Diagnostic& diagnostic) {
+        return diagnostic.severity == Severity::warning &&
+               !shown_.insert(format(diagnostic, session_.sources)).second;
+    });
+    if (session_.terminal.show(std::move(found), session_.sources) > 0) throw SceneRejected();
+}
+
+std::vector<Diagnostic> missing_parts(const Scene& scene) {
+    std::vector<Diagnostic> found;
+    const auto warn = [&found](const char* message, const char* hint) {
+        found.push_back({Severity::warning, {}, message, hint, {}});
+    };
+    if (scene.cameras.empty()) {
+        warn("the scene has no camera, so it cannot be rendered",
+             "camera front { position [0, 1, 5] look_at [0, 0, 0] }");
+    }
+    if (scene.lights.empty()) {
+        warn("the scene has no light: only ambient light and emission show",
+             "light point { position [4, 6, 3] }");
+    }
+    return found;
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,51 @@
+// A scene file on its way to a Scene: read and parsed once, evaluated once per frame.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/session.h"
+#include "model/scene.h"
+#include "parser/parse.h"
+
+namespace lancer::cli {
+
+/// The options of every command that reads a scene.
+struct SceneOptions {
+    std::vector<std::pair<std::string, std::string>> definitions;  ///< -D name=value
+    Limits limits;
+};
+void add_scene_options(CLI::App& app, SceneOptions& options);
+
+class SceneLoader {
+  public:
+    /// Reads the file at `path` (`-`: standard input). Throws FileError. Nothing is shown yet.
+    SceneLoader(const std::string& path, const SceneOptions& options, Session& session);
+
+    /// The scene of one frame, as the script has it. Shows what `print` says, and every diagnostic
+    /// that has not been shown before. Throws SceneRejected when there are errors, and UsageError
+    /// when -D names a param that is not there.
+    Scene load(double frame = 0, double time = 0);
+
+    double parse_seconds() const { return parse_seconds_; }
+    /// Of all evaluations up to now.
+    double evaluate_seconds() const { return evaluate_seconds_; }
+
+  private:
+    void show_new(std::vector<Diagnostic> found);
+
+    SceneOptions options_;
+    Session& session_;
+    Script script_;
+    std::vector<Diagnostic> syntax_errors_;
+    std::set<std::string> shown_;  ///< warnings, so that ten frames do not warn ten times
+    double parse_seconds_ = 0;
+    double evaluate_seconds_ = 0;
+};
+
+/// What is not wrong but seldom meant: no camera, no light.
+std::vector<Diagnostic> missing_parts(const Scene& scene);
+
+}  // namespace lancer::cli

@@ -1,0 +1,29 @@
+// The options that take the place of a script's `render { … }`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+
+#include "model/settings.h"
+
+namespace lancer::cli {
+
+struct SettingsOptions {
+    std::optional<std::int64_t> threads;
+    std::optional<std::int64_t> max_depth;
+    std::optional<double> min_contribution;
+    std::optional<std::int64_t> samples;
+    std::optional<double> tolerance;
+    std::optional<Precision> precision;
+    bool no_shadows = false;
+    bool no_smooth = false;
+    bool no_textures = false;
+
+    /// The command line wins. `threads` is never 0 in the result.
+    void apply_to(Settings& settings) const;
+};
+
+void add_settings_options(CLI::App& app, SettingsOptions& options);
+
+}  // namespace lancer::cli

@@ -1,0 +1,96 @@
+#include "cli/statistics.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+namespace lancer::cli {
+namespace {
+
+double rays_per_second(const Statistics& s) {
+    const std::uint64_t rays =
+        s.rays.primary + s.rays.shadow + s.rays.reflected + s.rays.transmitted;
+    return s.trace > 0 ? static_cast<double>(rays) / s.trace : 0;
+}
+
+}  // namespace
+
+void Statistics::add(const RayCounts& counts) {
+    rays.primary += counts.primary;
+    rays.shadow += counts.shadow;
+    rays.reflected += counts.reflected;
+    rays.transmitted += counts.transmitted;
+    rays.media_lost += counts.media_lost;
+}
+
+void Statistics::count(const Scene& scene, const WorldCounts& counts) {
+    world = counts;
+    cameras = scene.cameras.size();
+    materials = scene.materials.size();
+    textures = scene.textures.size();
+}
+
+std::uint64_t peak_memory_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string to_json(const Statistics& s) {
+    const nlohmann::ordered_json json{
+        {"seconds",
+         {{"parse", s.parse},
+          {"evaluate", s.evaluate},
+          {"build", s.build},
+          {"trace", s.trace},
+          {"write", s.write},
+          {"total", s.total}}},
+        {"rays",
+         {{"primary", s.rays.primary},
+          {"shadow", s.rays.shadow},
+          {"reflected", s.rays.reflected},
+          {"transmitted", s.rays.transmitted}}},
+        {"rays_per_second", rays_per_second(s)},
+        {"threads", s.threads},
+        {"peak_memory_bytes", peak_memory_bytes()},
+        {"media_lost", s.rays.media_lost},
+        {"frames", s.frames},
+        {"counts",
+         {{"shapes", s.world.shapes},
+          {"triangles", s.world.triangles},
+          {"lights", s.world.lights},
+          {"nodes", s.world.nodes},
+          {"cameras", s.cameras},
+          {"materials", s.materials},
+          {"textures", s.textures}}},
+    };
+    return json.dump(2) + "\n";
+}
+
+std::string to_text(const Statistics& s) {
+    std::string out;
+    const auto row = [&out](const char* name, const std::string& value) {
+        out += fmt::format("{:<12} {:>14}\n", name, value);
+    };
+    const auto seconds = [](double value) { return fmt::format("{:.3f} s", value); };
+    row("parse", seconds(s.parse));
+    row("evaluate", seconds(s.evaluate));
+    row("build", seconds(s.build));
+    row("trace", seconds(s.trace));
+    row("write", seconds(s.write));
+    row("total", seconds(s.total));
+    row("primary", fmt::format("{} rays", s.rays.primary));
+    row("shadow", fmt::format("{} rays", s.rays.shadow));
+    row("reflected", fmt::format("{} rays", s.rays.reflected));
+    row("transmitted", fmt::format("{} rays", s.rays.transmitted));
+    row("speed", fmt::format("{:.0f} rays/s", rays_per_second(s)));
+    row("threads", fmt::format("{}", s.threads));
+    row("memory", fmt::format("{:.1f} MB", static_cast<double>(peak_memory_bytes()) / 1e6));
+    row("shapes", fmt::format("{}", s.world.shapes));
+    row("triangles", fmt::format("{}", s.world.triangles));
+    row("lights", fmt::format("{}", s.world.lights));
+    return out;
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,40 @@
+// What a run cost: --stats.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "model/scene.h"
+#include "tracer/render.h"
+
+namespace lancer::cli {
+
+/// Seconds are wall-clock and, like the rays, summed over all frames; counts are those of the last.
+struct Statistics {
+    double parse = 0;
+    double evaluate = 0;
+    double build = 0;
+    double trace = 0;
+    double write = 0;
+    double total = 0;  ///< of the whole process
+    RayCounts rays;
+    int threads = 0;
+    std::uint64_t frames = 0;
+    WorldCounts world;
+    std::uint64_t cameras = 0;
+    std::uint64_t materials = 0;
+    std::uint64_t textures = 0;
+
+    void add(const RayCounts& counts);
+    void count(const Scene& scene, const WorldCounts& counts);
+};
+
+/// The most memory that the process has held so far.
+std::uint64_t peak_memory_bytes();
+
+/// The JSON object that docs/command-line.md describes, with a line feed at its end.
+std::string to_json(const Statistics& statistics);
+/// The same for people.
+std::string to_text(const Statistics& statistics);
+
+}  // namespace lancer::cli

@@ -1,0 +1,35 @@
+// Where text for people goes: standard error, coloured only when somebody looks at it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/diagnostic.h"
+
+namespace lancer::cli {
+
+class Terminal {
+  public:
+    /// Looks at standard error and at the environment: NO_COLOR and TERM=dumb switch colours off.
+    Terminal();
+
+    bool is_interactive() const { return interactive_; }
+    int columns() const;  ///< width of the window, 80 when unknown
+
+    /// Shows the diagnostics in the order of their places, and returns how many are errors.
+    std::size_t show(std::vector<Diagnostic> found, const SourceMap& sources) const;
+    /// `lancer: error: message`
+    void error(const std::string& message) const;
+    /// A line of plain text.
+    void line(std::string_view text) const;
+
+  private:
+    bool interactive_ = false;
+    bool colors_ = false;
+};
+
+/// What format() wrote, with the escape sequences that colour its kinds and carets.
+std::string with_colors(std::string_view diagnostic);
+
+}  // namespace lancer::cli
