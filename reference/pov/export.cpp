@@ -1,0 +1,72 @@
+#include "reference/pov/export.h"
+
+#include <cassert>
+
+#include "reference/pov/window.h"
+#include "reference/pov/writer.h"
+
+namespace lancer::reference {
+
+namespace pov {
+
+void Writer::refuse(const SourceSpan& where, const std::string& message, const std::string& hint) {
+    Diagnostic diagnostic;
+    diagnostic.where = where;
+    diagnostic.message = "cannot be exported: " + message;
+    diagnostic.hint = hint;
+    result.refusals.push_back(diagnostic);
+}
+
+void Writer::approximate(const SourceSpan& where, const std::string& explanation) {
+    result.approximations.push_back({explanation, where});
+}
+
+}  // namespace pov
+
+std::string rule_name(KnownDifference::Rule rule) {
+    switch (rule) {
+        case KnownDifference::Rule::absorption_inside:
+            return "absorption-inside";
+        case KnownDifference::Rule::absorption_nested:
+            return "absorption-nested";
+        case KnownDifference::Rule::sheet_in_medium:
+            return "sheet-in-medium";
+        case KnownDifference::Rule::contribution:
+            return "contribution";
+        case KnownDifference::Rule::depth_limit:
+            return "depth-limit";
+        case KnownDifference::Rule::small_features:
+            return "small-features";
+        case KnownDifference::Rule::coincident_surfaces:
+            return "coincident-surfaces";
+        case KnownDifference::Rule::light_from_behind:
+            return "light-from-behind";
+    }
+    return "";
+}
+
+ExportResult export_pov(const Scene& scene, const ExportView& view, const ExportOptions& options) {
+    assert(view.camera < scene.cameras.size() && view.width > 0 && view.height > 0);
+    ExportResult result;
+    const pov::PowerOfTen window = pov::scene_window(scene, view);
+    pov::Writer writer{scene, view, options, result, window, {}, {}, {}, {}};
+    result.factor = window.factor();
+    result.exposure = options.exposure;
+
+    write_header(writer);
+    write_global_settings(writer);
+    write_camera(writer);
+    for (const Light& light : scene.lights) write_light(writer, light);
+    writer.text.blank();
+    declare_textures(writer);
+    writer.text.blank();
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) write_object(writer, i);
+
+    if (result.refusals.empty())
+        result.text = writer.text.take();
+    else
+        result.assets.clear();
+    return result;
+}
+
+}  // namespace lancer::reference

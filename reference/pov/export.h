@@ -1,0 +1,78 @@
+// Scene → POV-Ray. What is written, feature by feature, stands in docs/export.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/diagnostic.h"
+#include "model/scene.h"
+
+namespace lancer::reference {
+
+/// Which picture of a scene is meant.
+struct ExportView {
+    std::uint32_t camera = 0;  ///< index into Scene::cameras
+    int width = 640;
+    int height = 480;
+};
+
+struct ExportOptions {
+    /// Names the scene in the header comment and begins the names of the assets. A plain file name.
+    std::string name = "scene";
+    /// Multiplies every light, the ambient light, emission and the background: a picture whose
+    /// values pass 1 would be clipped in a PNG. The other side of a comparison is multiplied by it
+    /// as well.
+    double exposure = 1;
+};
+
+/// A file that must stand beside the `.pov`.
+struct Asset {
+    std::string name;  ///< without folders
+    std::string bytes;
+};
+
+/// Something POV-Ray does otherwise by rule, in this scene, at these objects.
+struct KnownDifference {
+    enum class Rule {
+        absorption_inside,    ///< no absorption on what the inner side of a surface shows
+        absorption_nested,    ///< no absorption on a stretch that ends on another body
+        sheet_in_medium,      ///< a transparent sheet inside a body bends light
+        contribution,         ///< adc_bailout asks for the grey value of what passes as well
+        depth_limit,          ///< max_trace_level: at most 256, and at 1 nothing passes through
+        small_features,       ///< hits nearer than 1e-4, shadows nearer than 1e-3 are dropped
+        coincident_surfaces,  ///< faces in one place: one of them is found, by no rule
+        light_from_behind,    ///< a shadow ray on the far side starts with the viewer's media
+    };
+    Rule rule;
+    std::string explanation;  ///< one sentence: POV-Ray's rule, and ours
+    std::vector<std::uint32_t>
+        objects;  ///< indices into Scene::objects where it can show; may be empty
+};
+
+/// "absorption-inside" and so on: the name used in reports and in docs/export.md.
+std::string rule_name(KnownDifference::Rule rule);
+
+/// Something that POV-Ray can only come near to.
+struct Approximation {
+    std::string explanation;  ///< what, and how near
+    SourceSpan where;
+};
+
+struct ExportResult {
+    std::string text;           ///< the `.pov`; empty when something was refused
+    std::vector<Asset> assets;  ///< images, by the names that `text` uses
+    double factor = 1;    ///< lengths in `text` = lengths in the scene times this power of ten
+    double exposure = 1;  ///< as in the options
+    std::vector<KnownDifference> known_differences;
+    std::vector<Approximation> approximations;
+    /// Errors, each at its place: what POV-Ray has no word for. Nothing is left out silently.
+    std::vector<Diagnostic> refusals;
+};
+
+/// Writes the scene as POV-Ray 3.7 would have to say it. The scene must be free of errors and
+/// `view` must name a camera of it. Reads no file and writes none.
+ExportResult export_pov(const Scene& scene, const ExportView& view,
+                        const ExportOptions& options = {});
+
+}  // namespace lancer::reference

@@ -1,0 +1,27 @@
+// Materials as textures and interiors.
+#pragma once
+
+#include <string>
+
+#include "reference/pov/writer.h"
+
+namespace lancer::reference::pov {
+
+/// Whether anything passes through a surface of this material.
+bool lets_light_pass(const Scene& scene, const Material& material);
+
+/// Whether the pattern depends on the shape that shows it, so that no declared texture can serve.
+bool depends_on_shape(const Scene& scene, const Material& material);
+
+/// The image texture that the material shows, or null: none, or textures are switched off.
+const Texture* texture_of(const Scene& scene, const Material& material);
+
+/// `texture { … }` of an object whose own space is scaled by `own`: a declared one, or one of its
+/// own.
+void write_texture(Writer& writer, const Object& object, PowerOfTen own);
+
+/// `interior { … }`, where refraction, Fresnel's reflectance or absorption ask for one. A sheet has
+/// no inside: POV-Ray would never find the way out of it, so its ior is 1.
+void write_interior(Writer& writer, const Material& material, bool body);
+
+}  // namespace lancer::reference::pov

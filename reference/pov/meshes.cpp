@@ -1,0 +1,158 @@
+// Meshes and triangles. POV-Ray keeps mesh data in single precision, stand-alone triangles in
+// double.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/bodies.h"
+#include "reference/pov/materials.h"
+#include "reference/pov/shapes.h"
+
+namespace lancer::reference::pov {
+
+namespace {
+
+/// Normals for corners that have none: the mean of the faces round the vertex, weighted by area.
+std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
+    std::vector<Vec3d> sum(mesh.vertices.size(), Vec3d(0.0));
+    for (const Mesh::Corners& face : mesh.faces) {
+        const Vec3d& a = mesh.vertices[face[0]];
+        const Vec3d twice_area = cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
+        for (const std::uint32_t corner : face) sum[corner] += twice_area;
+    }
+    return sum;
+}
+
+/// A mesh2 in the making: lists of lines, each with its count.
+struct Mesh2 {
+    std::vector<std::string> vertices, normals, uvs, faces, normal_indices, uv_indices;
+
+    static std::string corners(const Mesh::Corners& c) {
+        return fmt::format("<{},{},{}>", c[0], c[1], c[2]);
+    }
+    static void list(Text& text, const std::string& word, const std::vector<std::string>& items) {
+        if (items.empty()) return;
+        text.open(fmt::format("{} {{ {},", word, items.size()));
+        // A handful to a line: short lines for people, few lines for large meshes.
+        for (std::size_t i = 0; i < items.size(); i += 4) {
+            std::string line;
+            for (std::size_t j = i; j < std::min(i + 4, items.size()); ++j)
+                line += (j > i ? " " : "") + items[j] + (j + 1 < items.size() ? "," : "");
+            text.line(line);
+        }
+        text.close();
+    }
+    void write(Text& text) const {
+        list(text, "vertex_vectors", vertices);
+        list(text, "normal_vectors", normals);
+        list(text, "uv_vectors", uvs);
+        list(text, "face_indices", faces);
+        list(text, "uv_indices", uv_indices);
+        list(text, "normal_indices", normal_indices);
+    }
+};
+
+/// Corners that say `none` get an index of their own, appended behind the given list.
+void add_normals(Mesh2& out, const Mesh& mesh) {
+    for (const Vec3d& n : mesh.normals) out.normals.push_back(mesh_vector(normalize(n)));
+    const std::vector<Vec3d> means = vertex_normals(mesh);
+    std::vector<std::uint32_t> mean_index(mesh.vertices.size(), none);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        Mesh::Corners corners = mesh.normals.empty()        ? Mesh::Corners{none, none, none}
+                                : mesh.normal_faces.empty() ? mesh.faces[f]
+                                                            : mesh.normal_faces[f];
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (corners[i] != none) continue;
+            const std::uint32_t vertex = mesh.faces[f][i];
+            if (mean_index[vertex] == none) {
+                mean_index[vertex] = static_cast<std::uint32_t>(out.normals.size());
+                const Vec3d& n = means[vertex];
+                out.normals.push_back(mesh_vector(length(n) > 0 ? normalize(n) : Vec3d(0, 1, 0)));
+            }
+            corners[i] = mean_index[vertex];
+        }
+        out.normal_indices.push_back(Mesh2::corners(corners));
+    }
+}
+
+void add_uvs(Mesh2& out, const Mesh& mesh) {
+    for (const Vec2d& uv : mesh.uvs) out.uvs.push_back(mesh_vector(uv));
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        Mesh::Corners corners = mesh.uv_faces.empty() ? mesh.faces[f] : mesh.uv_faces[f];
+        for (std::uint32_t& corner : corners)
+            if (corner == none) {  // no place in the image: its corner
+                corner = static_cast<std::uint32_t>(out.uvs.size());
+                out.uvs.push_back("<0,0>");
+            }
+        out.uv_indices.push_back(Mesh2::corners(corners));
+    }
+}
+
+Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
+    Mesh2 out;
+    for (const Vec3d& p : mesh.vertices) out.vertices.push_back(mesh_vector(own(p)));
+    for (const Mesh::Corners& face : mesh.faces) out.faces.push_back(Mesh2::corners(face));
+    if (smooth) add_normals(out, mesh);
+    if (!mesh.uvs.empty()) add_uvs(out, mesh);
+    return out;
+}
+
+int mesh_key(const MeshRef& shape, bool smooth, PowerOfTen own) {
+    (void)shape;
+    return own.exponent * 2 + (smooth ? 1 : 0);
+}
+
+}  // namespace
+
+void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
+    const auto* shape = std::get_if<MeshRef>(&object.shape);
+    if (!shape) return;
+    const Mesh& mesh = *writer.scene.meshes[shape->mesh];
+    const bool smooth = shape->smooth && writer.scene.settings.smooth;
+    const std::pair key{shape->mesh, mesh_key(*shape, smooth, own)};
+    if (mesh.faces.empty() || writer.mesh_names.contains(key)) return;
+    const std::string name = fmt::format("Mesh{}", writer.mesh_names.size());
+    writer.text.open(fmt::format("#declare {} = mesh2 {{  // {} vertices, {} faces", name,
+                                 mesh.vertices.size(), mesh.faces.size()));
+    convert(mesh, smooth, own).write(writer.text);
+    // Lets POV-Ray tell whether the camera is inside.
+    if (is_closed(mesh)) writer.text.line("inside_vector <0.36, 0.48, 0.8>");
+    writer.text.close();
+    writer.mesh_names.emplace(key, name);
+}
+
+bool open_mesh(Writer& writer, const Object&, const MeshRef& shape, PowerOfTen own) {
+    const bool smooth = shape.smooth && writer.scene.settings.smooth;
+    const auto name = writer.mesh_names.find({shape.mesh, mesh_key(shape, smooth, own)});
+    if (name == writer.mesh_names.end()) return false;  // a mesh without faces shows nothing
+    writer.text.open("object { " + name->second);
+    return true;
+}
+
+bool open_triangle(Writer& writer, const Object& object, const Triangle& shape, PowerOfTen own) {
+    const Scene& scene = writer.scene;
+    const TriangleAttributes* attributes =
+        shape.attributes == none ? nullptr : &scene.triangle_attributes[shape.attributes];
+    const bool smooth = attributes && attributes->normals && scene.settings.smooth;
+    const bool mapped =
+        attributes && attributes->uvs && depends_on_shape(scene, scene.materials[object.material]);
+    if (!smooth && !mapped) {
+        std::string corners;
+        for (const Vec3d& p : shape.points)
+            corners += (corners.empty() ? "" : ", ") + vector(own(p));
+        writer.text.open("triangle { " + corners);
+        return true;
+    }
+    // A smooth_triangle on its own is dropped when its normals point to different sides; within a
+    // mesh it is not.
+    Mesh mesh;
+    mesh.vertices.assign(shape.points.begin(), shape.points.end());
+    mesh.faces = {{0, 1, 2}};
+    if (smooth) mesh.normals.assign(attributes->normals->begin(), attributes->normals->end());
+    if (mapped) mesh.uvs.assign(attributes->uvs->begin(), attributes->uvs->end());
+    writer.text.open("mesh2 {");
+    convert(mesh, smooth, own).write(writer.text);
+    return true;
+}
+
+}  // namespace lancer::reference::pov

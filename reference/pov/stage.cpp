@@ -1,0 +1,120 @@
+// Everything but objects: header, settings, camera, lights.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/pov/writer.h"
+
+namespace lancer::reference::pov {
+
+namespace {
+
+// "12.5 %" for people would hide digits: numbers in comments are written as in the scene.
+std::string samples_note(const Writer& writer) {
+    const int n = writer.scene.settings.samples;
+    if (n <= 1) return "";
+    return fmt::format(
+        "The scene asks for {0} x {0} rays per pixel: render {1} x {2} and average blocks of {0} x "
+        "{0}.",
+        n, n * writer.view.width, n * writer.view.height);
+}
+
+}  // namespace
+
+void write_header(Writer& writer) {
+    Text& text = writer.text;
+    text.line("// " + comment(writer.options.name) + ": written by Lancer for POV-Ray 3.7");
+    text.line(fmt::format(
+        "// povray +I{}.pov +W{} +H{} +FN16 File_Gamma=1.0 -D -A   (16 bit, linear light)",
+        comment(writer.options.name), writer.view.width, writer.view.height));
+    const std::string samples = samples_note(writer);
+    if (!samples.empty()) text.line("// " + samples);
+    text.line(writer.window.exponent == 0
+                  ? "// Lengths are those of the scene."
+                  : "// Lengths are those of the scene times " + number(writer.window.factor()) +
+                        ": POV-Ray is right between about 0.01 and 10,000 units.");
+    if (writer.options.exposure != 1)
+        text.line("// Lights, emission and background are multiplied by " +
+                  number(writer.options.exposure) + ".");
+    text.line("#version 3.7;");
+}
+
+void write_global_settings(Writer& writer) {
+    const Scene& scene = writer.scene;
+    Text& text = writer.text;
+    text.open("global_settings {");
+    text.line("assumed_gamma 1.0");
+    text.line(fmt::format("max_trace_level {}", std::clamp(scene.settings.max_depth, 1, 256)));
+    text.line("adc_bailout " + number(scene.settings.min_contribution));
+    text.line("ambient_light " + rgb(writer.lit(scene.ambient)));
+    text.close();
+    text.line("background { " + rgb(writer.lit(scene.background)) + " }");
+}
+
+void write_camera(Writer& writer) {
+    const Camera& camera = writer.scene.cameras[writer.view.camera];
+    const Vec3d forward = normalize(camera.look_at - camera.position);
+    const Vec3d right = normalize(cross(forward, camera.up));
+    const Vec3d up = cross(right, forward);
+    const double aspect =
+        static_cast<double>(writer.view.width) / static_cast<double>(writer.view.height);
+    Text& text = writer.text;
+    text.open("camera {" + (camera.name.empty() ? "" : "  // " + comment(camera.name)));
+    double height = 0;
+    if (const auto* perspective = std::get_if<PerspectiveProjection>(&camera.projection)) {
+        text.line("perspective  // vertical angle " + number(perspective->fov));
+        height = 2 * elementary::tan(radians(perspective->fov) / 2);
+    } else {
+        text.line("orthographic");
+        height = writer.window(std::get<OrthographicProjection>(camera.projection).height);
+    }
+    text.line("location " + vector(writer.window(camera.position)));
+    text.line("direction " + vector(forward));
+    // POV-Ray is left-handed: a picture of our right-handed scene needs the right vector mirrored
+    // against POV-Ray's default, which is what a right-handed cross product gives.
+    text.line("right " + vector(right * (height * aspect)));
+    text.line("up " + vector(up * height));
+    text.close();
+}
+
+namespace {
+
+void write_fade(Writer& writer, const std::optional<Fade>& fade) {
+    if (!fade) return;
+    writer.text.line("fade_distance " + number(writer.window(fade->distance)) + " fade_power " +
+                     number(fade->power));
+}
+
+struct LightWriter {
+    Writer& writer;
+
+    void operator()(const PointLight& light) const {
+        writer.text.line(vector(writer.window(light.position)) + ", " + color);
+        write_fade(writer, light.fade);
+    }
+    void operator()(const SpotLight& light) const {
+        writer.text.line(vector(writer.window(light.position)) + ", " + color);
+        writer.text.line("spotlight point_at " + vector(writer.window(light.look_at)));
+        writer.text.line("radius " + number(light.radius) + " falloff " + number(light.falloff) +
+                         " tightness " + number(light.tightness));
+        write_fade(writer, light.fade);
+    }
+    void operator()(const DirectionalLight& light) const {
+        // What lies behind the plane of a parallel light is lit without shadow, so it stands as far
+        // out as POV-Ray sees: half of its limit of 1e7.
+        writer.text.line(vector(normalize(light.direction) * -5e6) + ", " + color);
+        writer.text.line("parallel point_at <0, 0, 0>");
+    }
+    std::string color;
+};
+
+}  // namespace
+
+void write_light(Writer& writer, const Light& light) {
+    writer.text.open("light_source {");
+    std::visit(LightWriter{writer, rgb(writer.lit(light.color))}, light.kind);
+    if (!light.shadows) writer.text.line("shadowless");
+    writer.text.close();
+}
+
+}  // namespace lancer::reference::pov

@@ -1,0 +1,65 @@
+// Numbers and words as POV-Ray reads them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/affine.h"
+#include "model/math.h"
+
+namespace lancer::reference::pov {
+
+/// The shortest decimal that reads back as exactly this double: at most 17 digits.
+std::string number(double value);
+/// Nine digits: enough for the single precision in which POV-Ray keeps mesh data.
+std::string mesh_number(double value);
+
+/// `<x, y>`, `<x, y, z>`
+std::string vector(const Vec2d& v);
+std::string vector(const Vec3d& v);
+std::string mesh_vector(const Vec2d& v);
+std::string mesh_vector(const Vec3d& v);
+
+/// `rgb <r, g, b>`, or `rgb k` for a grey.
+std::string rgb(const Color& color);
+
+/// `translate <…>` or `matrix <…>`; empty for the identity.
+std::string transform(const Affine<double>& map);
+
+/// Text that may stand in a `//` comment: one line, no control characters.
+std::string comment(std::string_view text);
+
+/// `text` with everything but letters, digits and `_` replaced by `_`, at most `longest` bytes.
+std::string identifier(std::string_view text, std::size_t longest = 24);
+
+/// Lengths in powers of ten, so that decimal numbers of a script stay short ones in the export.
+struct PowerOfTen {
+    int exponent = 0;
+    double operator()(double length) const;
+    Vec2d operator()(const Vec2d& v) const { return {(*this)(v.x), (*this)(v.y)}; }
+    Vec3d operator()(const Vec3d& v) const { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
+    double factor() const { return (*this)(1.0); }
+    PowerOfTen inverse() const { return {-exponent}; }
+};
+
+/// Collects lines, indented by depth.
+class Text {
+  public:
+    void line(std::string_view text);
+    void blank() { out_ += '\n'; }
+    void open(std::string_view text) {
+        line(text);
+        ++depth_;
+    }
+    void close(std::string_view text = "}") {
+        --depth_;
+        line(text);
+    }
+    std::string take() { return std::move(out_); }
+
+  private:
+    std::string out_;
+    int depth_ = 0;
+};
+
+}  // namespace lancer::reference::pov

@@ -1,0 +1,45 @@
+// The sizes at which POV-Ray is right, and how a scene is brought there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/scene.h"
+#include "reference/pov/export.h"
+#include "reference/pov/text.h"
+
+namespace lancer::reference::pov {
+
+/// A box along the axes; empty until the first point.
+struct Bounds {
+    Vec3d low{0, 0, 0};
+    Vec3d high{0, 0, 0};
+    bool empty = true;
+
+    void add(const Vec3d& p);
+    void add(const Bounds& other);
+    double diagonal() const { return empty ? 0 : length(high - low); }
+    bool overlaps(const Bounds& other) const;
+};
+
+/// The box of a shape in its own space; nothing for a plane, which has none.
+std::optional<Bounds> shape_bounds(const Scene& scene, const Shape& shape);
+
+/// The box that holds `bounds` after `map`.
+Bounds moved(const Affine<double>& map, const Bounds& bounds);
+
+/// The power of ten that brings the scene into the window of sizes in which POV-Ray is right, about
+/// 0.01 to 10,000 with its absolute constants of 1e-4 and 1e-3: 1 for a scene that is in it
+/// already. Decided by the median size of the bounded objects, or by the camera's distance from
+/// what it looks at when there are none.
+PowerOfTen scene_window(const Scene& scene, const ExportView& view);
+
+/// How an object's own space is brought near the size that it has in the picture: lengths in its
+/// own space are multiplied by `own` before the matrix `to_picture` takes them there.
+struct ObjectSpace {
+    PowerOfTen own;
+    Affine<double> to_picture;
+};
+ObjectSpace object_space(const Affine<double>& to_world, PowerOfTen window);
+
+}  // namespace lancer::reference::pov

@@ -1,0 +1,40 @@
+// What the parts of the exporter share: the scene, the window, and the result that grows.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "reference/pov/export.h"
+#include "reference/pov/text.h"
+
+namespace lancer::reference::pov {
+
+struct Writer {
+    const Scene& scene;
+    const ExportView& view;
+    const ExportOptions& options;
+    ExportResult& result;
+    PowerOfTen window;
+    Text text;
+
+    std::map<std::uint32_t, std::string> image_words;    ///< by index: `png "a.png" gamma srgb`
+    std::map<std::uint32_t, std::string> texture_names;  ///< declared textures by material
+    std::map<std::pair<std::uint32_t, int>, std::string>
+        mesh_names;  ///< by mesh, space and normals
+
+    /// Something POV-Ray has no word for, at its place in the script.
+    void refuse(const SourceSpan& where, const std::string& message, const std::string& hint = "");
+    void approximate(const SourceSpan& where, const std::string& explanation);
+    Color lit(const Color& color) const { return color * options.exposure; }
+};
+
+// One file each: the parts of a `.pov`, top to bottom.
+void write_header(Writer& writer);
+void write_global_settings(Writer& writer);
+void write_camera(Writer& writer);
+void write_light(Writer& writer, const Light& light);
+void declare_textures(Writer& writer);
+void write_object(Writer& writer, std::uint32_t index);
+
+}  // namespace lancer::reference::pov

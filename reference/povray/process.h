@@ -1,0 +1,37 @@
+// Another program, run to its end or stopped: no shell, its own process group, a time limit.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lancer::reference {
+
+/// A fresh directory below the temporary one, removed with all it holds at the end of its life.
+/// Throws FileError when none can be made.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+struct ProcessResult {
+    bool timed_out = false;  ///< it and whatever it had started were killed
+    int exit_code = 0;       ///< 128 + n when signal n ended it; 127 when it could not be started
+    std::string messages;    ///< stdout and stderr as they came, the first MiB
+    double seconds = 0;      ///< wall clock
+};
+
+/// Runs `command` (the program's path, then its arguments) in `folder`, with HOME set to `folder`
+/// and nothing to read on standard input. The program dies when this process does. Safe to call
+/// from several threads at once. Throws FileError when the system has no process or file to give.
+ProcessResult run_process(const std::vector<std::string>& command,
+                          const std::filesystem::path& folder, double time_limit_seconds);
+
+}  // namespace lancer::reference
