@@ -10,25 +10,6 @@
 namespace lancer {
 namespace {
 
-/// For each vertex the smallest index of a vertex at the same place.
-std::vector<std::uint32_t> first_at_same_place(const std::vector<Vec3d>& vertices) {
-    const auto key = [&vertices](std::uint32_t i) {
-        const Vec3d& v = vertices[i];
-        return std::tuple(v.x, v.y, v.z, i);
-    };
-    std::vector<std::uint32_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&key](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    std::vector<std::uint32_t> first(vertices.size());
-    std::uint32_t current = none;
-    for (const std::uint32_t i : order) {
-        if (current == none || vertices[i] != vertices[current]) current = i;
-        first[i] = current;
-    }
-    return first;
-}
-
 struct HasInside {
     const Scene& scene;
 
@@ -48,6 +29,24 @@ struct HasInside {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> first_at_same_place(const std::vector<Vec3d>& vertices) {
+    const auto key = [&vertices](std::uint32_t i) {
+        const Vec3d& v = vertices[i];
+        return std::tuple(v.x, v.y, v.z, i);
+    };
+    std::vector<std::uint32_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&key](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::vector<std::uint32_t> first(vertices.size());
+    std::uint32_t current = none;
+    for (const std::uint32_t i : order) {
+        if (current == none || vertices[i] != vertices[current]) current = i;
+        first[i] = current;
+    }
+    return first;
+}
 
 bool is_closed(const Mesh& mesh) {
     const std::vector<std::uint32_t> vertex = first_at_same_place(mesh.vertices);

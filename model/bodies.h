@@ -6,6 +6,9 @@
 
 namespace lancer {
 
+/// For each vertex the smallest index of a vertex at the same place.
+std::vector<std::uint32_t> first_at_same_place(const std::vector<Vec3d>& vertices);
+
 /// True when every edge of the mesh belongs to exactly two faces. Vertices at the same place are
 /// one vertex, so a mesh whose corners are not shared by index can be closed too. Sorts the edges:
 /// n log n time, about 30 bytes per triangle.

@@ -9,7 +9,9 @@ namespace {
 
 constexpr std::size_t widest_quote = 100;
 
-bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+bool is_continuation_byte(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
 
 /// The quoted line and the caret line below it.
 std::string quote(const SourceSpan& where, const SourceMap& sources) {
@@ -34,8 +36,7 @@ std::string quote(const SourceSpan& where, const SourceMap& sources) {
         if (!is_continuation_byte(c)) under += c == '\t' ? '\t' : ' ';
     }
     under += '^';
-    const std::string_view marked =
-        line.substr(caret, std::max<std::size_t>(where.length, 1));
+    const std::string_view marked = line.substr(caret, std::max<std::size_t>(where.length, 1));
     bool first = true;
     for (const char c : marked) {
         if (!first && !is_continuation_byte(c)) under += '~';

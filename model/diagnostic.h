@@ -16,7 +16,8 @@ struct Diagnostic {
     SourceSpan where;     ///< may be `nowhere`: then no place is printed
     std::string message;  ///< one sentence, lower case, no full stop
     std::string hint;     ///< what to write instead; may be empty
-    std::vector<Diagnostic> notes;  ///< first definition, opener, call stack; without notes of their own
+    std::vector<Diagnostic>
+        notes;  ///< first definition, opener, call stack; without notes of their own
 };
 
 /// The diagnostic as a compiler prints it:

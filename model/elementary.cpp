@@ -6,14 +6,26 @@
 
 namespace lancer::elementary {
 
-#define LANCER_ELEMENTARY_1(name, ulp)                                   \
-    float name(float x) { return Sleef_cinz_##name##f1_##ulp(x); }       \
-    double name(double x) { return Sleef_cinz_##name##d1_##ulp(x); }     \
-    long double name(long double x) { return std::name(x); }
-#define LANCER_ELEMENTARY_2(name, ulp)                                                \
-    float name(float x, float y) { return Sleef_cinz_##name##f1_##ulp(x, y); }        \
-    double name(double x, double y) { return Sleef_cinz_##name##d1_##ulp(x, y); }     \
-    long double name(long double x, long double y) { return std::name(x, y); }
+#define LANCER_ELEMENTARY_1(name, ulp)         \
+    float name(float x) {                      \
+        return Sleef_cinz_##name##f1_##ulp(x); \
+    }                                          \
+    double name(double x) {                    \
+        return Sleef_cinz_##name##d1_##ulp(x); \
+    }                                          \
+    long double name(long double x) {          \
+        return std::name(x);                   \
+    }
+#define LANCER_ELEMENTARY_2(name, ulp)               \
+    float name(float x, float y) {                   \
+        return Sleef_cinz_##name##f1_##ulp(x, y);    \
+    }                                                \
+    double name(double x, double y) {                \
+        return Sleef_cinz_##name##d1_##ulp(x, y);    \
+    }                                                \
+    long double name(long double x, long double y) { \
+        return std::name(x, y);                      \
+    }
 
 LANCER_ELEMENTARY_1(sin, u10purec)
 LANCER_ELEMENTARY_1(cos, u10purec)
@@ -33,14 +45,19 @@ LANCER_ELEMENTARY_2(pow, u10purec)
 SineCosine sine_cosine_of_degrees(double degrees) {
     // remainder() is exact, so the reduction to [-45, 45] loses nothing.
     const double quarters = std::nearbyint(std::remainder(degrees, 360.0) / 90.0);
-    const double rest = std::remainder(degrees, 90.0) * (3.141592653589793238462643383279502884 / 180.0);
+    const double rest =
+        std::remainder(degrees, 90.0) * (3.141592653589793238462643383279502884 / 180.0);
     const double s = sin(rest);
     const double c = cos(rest);
     switch ((static_cast<int>(quarters) + 4) % 4) {
-        case 0: return {s, c};
-        case 1: return {c, 0.0 - s};
-        case 2: return {0.0 - s, 0.0 - c};
-        default: return {0.0 - c, s};
+        case 0:
+            return {s, c};
+        case 1:
+            return {c, 0.0 - s};
+        case 2:
+            return {0.0 - s, 0.0 - c};
+        default:
+            return {0.0 - c, s};
     }
 }
 

@@ -9,13 +9,13 @@
 
 namespace lancer::elementary {
 
-#define LANCER_ELEMENTARY_1(name)  \
-    float name(float x);           \
-    double name(double x);         \
+#define LANCER_ELEMENTARY_1(name) \
+    float name(float x);          \
+    double name(double x);        \
     long double name(long double x);
-#define LANCER_ELEMENTARY_2(name)         \
-    float name(float x, float y);         \
-    double name(double x, double y);      \
+#define LANCER_ELEMENTARY_2(name)    \
+    float name(float x, float y);    \
+    double name(double x, double y); \
     long double name(long double x, long double y);
 
 LANCER_ELEMENTARY_1(sin)

@@ -57,8 +57,8 @@ struct Material {
     bool fresnel = false;
     double transmission = 0;  ///< filter + transmission <= 1
     double filter = 0;
-    double ior = 1;              ///< > 0
-    Color absorption{0, 0, 0};   ///< per unit of length
+    double ior = 1;             ///< > 0
+    Color absorption{0, 0, 0};  ///< per unit of length
     double diffuse_transmission = 0;
     double phong_transmission = 0;
 };

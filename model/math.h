@@ -1,9 +1,10 @@
-// Numbers and vectors. The only header that names GLM, and the only door to transcendental functions.
+// Numbers and vectors. The only header that names GLM, and the only door to transcendental
+// functions.
 //
-// Geometry and shading are templates over `Real`: float, double, long double, and in tests a 113-bit
-// type. GLM's vector *types* compile for all of them, its geometric *functions* do not, so the few
-// that we need stand here, each with one fixed order of operations: pictures must not depend on how
-// a library happens to sum.
+// Geometry and shading are templates over `Real`: float, double, long double, and in tests a
+// 113-bit type. GLM's vector *types* compile for all of them, its geometric *functions* do not, so
+// the few that we need stand here, each with one fixed order of operations: pictures must not
+// depend on how a library happens to sum.
 #pragma once
 
 #ifndef GLM_FORCE_XYZW_ONLY
@@ -66,7 +67,7 @@ constexpr Real max_component(const Vec3<Real>& v) {
 
 /// Component by component absolute value.
 template <class Real>
-Vec3<Real> abs(const Vec3<Real>& v) {
+Vec3<Real> absolute(const Vec3<Real>& v) {
     using std::abs;
     return {abs(v.x), abs(v.y), abs(v.z)};
 }
@@ -86,7 +87,11 @@ Vec3<To> convert(const Vec3<From>& v) {
 inline constexpr double pi = 3.141592653589793238462643383279502884;
 inline constexpr double tau = 2.0 * pi;
 
-constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
-constexpr double degrees(double radians) { return radians * (180.0 / pi); }
+constexpr double radians(double degrees) {
+    return degrees * (pi / 180.0);
+}
+constexpr double degrees(double radians) {
+    return radians * (180.0 / pi);
+}
 
 }  // namespace lancer

@@ -10,6 +10,7 @@
 #include "model/image.h"
 #include "model/scene.h"
 #include "model/settings.h"
+#include "model/shapes.h"
 
 namespace lancer {
 
@@ -37,6 +38,8 @@ struct RayCounts {
     std::uint64_t reflected = 0;
     std::uint64_t transmitted = 0;
     std::uint64_t media_lost = 0;  ///< bodies left without a crossing; 0 in a sound scene
+
+    RayCounts& operator+=(const RayCounts& more);
 };
 
 /// What there is to count in a compiled scene.
@@ -51,36 +54,38 @@ struct WorldCounts {
 struct Probe {
     Color color{0, 0, 0};
     std::uint32_t object = none;  ///< index into Scene::objects; none: background
-    double depth = 0;             ///< distance from the camera's plane of origin along the ray, scene units
-    Vec3d normal{0, 0, 0};        ///< shading normal, towards the viewer; 0 for the background
+    double depth = 0;  ///< distance from the camera's plane of origin along the ray, scene units
+    Vec3d normal{0, 0, 0};  ///< shading normal, towards the viewer; 0 for the background
     /// Per light (the first 64) one bit: its light reaches the point, at least in part.
     std::uint64_t lit = 0;
-    /// Hash of everything discrete on the way: objects, faces and shadows met by all rays of the tree,
-    /// texture cells left out. Two probes with equal paths differ only by smooth amounts.
+    /// Hash of everything discrete on the way: objects, faces and shadows met by all rays of the
+    /// tree, texture cells left out. Two probes with equal paths differ only by smooth amounts.
     std::uint64_t path = 0;
 };
 
 /// Called now and then from the thread that called render(), with the share done, 0..1.
 using Progress = std::function<void(double share)>;
 
-/// A compiled scene: acceleration structures built, matrices inverted. Safe to use from many threads.
+/// A compiled scene: acceleration structures built, matrices inverted. Safe to use from many
+/// threads.
 class Renderer {
   public:
     virtual ~Renderer() = default;
 
-    /// The picture in linear light, the same bytes for any number of threads. With `view.aov` it has
-    /// the extra channels object.id, depth.Z, normal.X, normal.Y, normal.Z, shadow.Y (share of the lights
-    /// that do not reach the point), taken by the ray through the pixel's centre.
+    /// The picture in linear light, the same bytes for any number of threads. With `view.aov` it
+    /// has the extra channels object.id, depth.Z, normal.X, normal.Y, normal.Z, shadow.Y (share of
+    /// the lights that do not reach the point), taken by the ray through the pixel's centre.
     virtual Image render(const View& view, const Progress& progress, RayCounts& counts) const = 0;
 
-    /// One ray through the point (x, y) of the image plane, in pixels: (0.5, 0.5) is the centre of the
-    /// first pixel.
+    /// One ray through the point (x, y) of the image plane, in pixels: (0.5, 0.5) is the centre of
+    /// the first pixel.
     virtual Probe probe(const View& view, double x, double y) const = 0;
 
     virtual WorldCounts counts() const = 0;
 };
 
-/// Builds what rendering needs. Throws SceneError, e.g. for coordinates that leave the number type's range.
+/// Builds what rendering needs. Throws SceneError, e.g. for coordinates that leave the number
+/// type's range.
 std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings);
 
 }  // namespace lancer

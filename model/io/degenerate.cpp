@@ -9,7 +9,7 @@ namespace {
 
 /// v scaled by a power of two to a largest component in [1, 2); zero stays zero.
 inline Vec3d scaled_to_one(const Vec3d& v) {
-    const double size = max_component(abs(v));
+    const double size = max_component(absolute(v));
     return size > 0 ? scaled_by_power_of_two(v, -std::ilogb(size)) : v;
 }
 
@@ -30,7 +30,7 @@ bool is_degenerate(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     Vec3d f = edge(b, c);
     const Vec3d g = edge(a, c);
     const double largest =
-        std::max({max_component(abs(e)), max_component(abs(f)), max_component(abs(g))});
+        std::max({max_component(absolute(e)), max_component(absolute(f)), max_component(absolute(g))});
     if (!(largest > 0)) return true;  // halving the smallest number there is gives 0
     const auto size = [&](const Vec3d& v) {
         return length_squared(scaled_by_power_of_two(v, -std::ilogb(largest)));

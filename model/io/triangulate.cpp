@@ -25,7 +25,7 @@ std::vector<Vec3d> normalized_polygon(std::span<const Vec3d> vertices,
                                       std::span<const std::uint32_t> corners) {
     double extent = 0;
     for (const std::uint32_t corner : corners) {
-        extent = std::max(extent, max_component(abs(vertices[corner])));
+        extent = std::max(extent, max_component(absolute(vertices[corner])));
     }
     const int exponent = extent > 0 ? -std::ilogb(extent) : 0;
     std::vector<Vec3d> points;
@@ -48,7 +48,7 @@ Vec3d area_vector(const std::vector<Vec3d>& points) {
 
 /// The points without the coordinate along which the polygon is flattest, turning left.
 std::vector<Vec2d> projected(const std::vector<Vec3d>& points, const Vec3d& normal) {
-    const Vec3d size = abs(normal);
+    const Vec3d size = absolute(normal);
     const int drop = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     int first = (drop + 1) % 3;
     int second = (drop + 2) % 3;

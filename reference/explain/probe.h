@@ -27,7 +27,7 @@ using Probe = std::function<ProbeSample(double x, double y)>;
 
 /// The largest absolute difference of the components.
 inline double distance(const Color& a, const Color& b) {
-    return max_component(abs(a - b));
+    return max_component(absolute(a - b));
 }
 
 inline Color color_at(const Image& image, int x, int y) {

@@ -1,0 +1,47 @@
+// What a light sends to a point, before shadows.
+#pragma once
+
+#include "tracer/world.h"
+
+namespace lancer {
+
+template <class Real>
+struct Illumination {
+    Vec3<Real> direction;  ///< unit, from the point to the light
+    Real distance;         ///< infinite for directional lights
+    Vec3<Real> color;      ///< with fade and spot
+};
+
+template <class Real>
+Illumination<Real> illuminate(const LightSource<Real>& light, const Vec3<Real>& point,
+                              const Vec3<Real>& point_lo) {
+    using Kind = typename LightSource<Real>::Kind;
+    if (light.kind == Kind::directional)
+        return {light.direction, std::numeric_limits<Real>::infinity(), light.color};
+    const Vec3<Real> way = (light.position - point) - point_lo;
+    const Real longest = max_component(absolute(way));
+    if (!(longest > 0)) return {Vec3<Real>(0), 0, Vec3<Real>(0)};  // the light stands on the point
+    const Vec3<Real> scaled = way / longest;  // its square neither overflows nor vanishes
+    const Real scaled_length = length(scaled);
+    Illumination<Real> at{scaled / scaled_length, longest * scaled_length, light.color};
+    Real factor = 1;
+    if (light.fades)
+        factor = 2 / (1 + elementary::pow(at.distance / light.fade_distance, light.fade_power));
+    if (light.kind == Kind::spot) {
+        const Real cosine = -dot(at.direction, light.direction);
+        if (cosine <= 0) {
+            factor = 0;
+        } else {
+            if (light.tightness != 0) factor *= elementary::pow(cosine, light.tightness);
+            if (cosine < light.cos_radius) {
+                Real x = (cosine - light.cos_falloff) / (light.cos_radius - light.cos_falloff);
+                x = x < 0 ? Real(0) : (x > 1 ? Real(1) : x);
+                factor *= x * x * (3 - 2 * x);
+            }
+        }
+    }
+    at.color = at.color * factor;
+    return at;
+}
+
+}  // namespace lancer

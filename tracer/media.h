@@ -1,0 +1,108 @@
+// The bodies that a ray is inside of, from the camera on.
+#pragma once
+
+#include "tracer/query.h"
+
+namespace lancer {
+
+/// Whether the line's start lies in the body. A start on its surface belongs to the side that the
+/// ray goes to.
+template <class Real>
+bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real>& ray) {
+    const Primitive<Real>& p = world.primitives[index];
+    if (const auto* half = std::get_if<HalfSpace<Real>>(&p.solid)) {
+        using std::abs;
+        const Vec3<Real> rel = start_from(ray, half->point);
+        const Real height = dot(half->normal, rel);
+        const Real bound =
+            ray.origin_error + gamma<Real>(4) * dot(absolute(half->normal), absolute(rel));
+        if (abs(height) > bound) return height < 0;
+        return dot(half->normal, ray.dir) < 0;
+    }
+    int balance = 0;  // ways out less ways in, ahead
+    const auto forever = [] { return std::numeric_limits<Real>::infinity(); };
+    primitive_crossings(world, index, ray, Known{}, Real(0), forever,
+                        [&](const Crossing<Real>& c, Real, Real) {
+                            if (c.t > c.error) balance += c.entering ? -1 : 1;
+                            return false;
+                        });
+    return balance > 0;
+}
+
+/// The bodies around a camera ray's origin, largest bounding box first, then in the order of
+/// declaration.
+template <class Real>
+MediaList media_around(const World<Real>& world, const Ray<Real>& ray) {
+    MediaList media;
+    if (!world.has_media) return media;
+    for (std::size_t i = 0; i < world.mediums.size(); ++i) {
+        if (world.medium_bounds[i].contains(ray.origin) &&
+            starts_inside(world, world.mediums[i], ray))
+            media.push_back(world.mediums[i]);
+    }
+    return media;
+}
+
+/// The list behind a contact: its entries appended, then its exits dropped. `contact` has entries
+/// first.
+template <class Real>
+MediaList crossed(const World<Real>& world, const MediaList& media, const Contact<Real>& contact) {
+    MediaList after = media;
+    if (!world.has_media) return after;
+    for (const Hit<Real>& hit : contact) {
+        const std::uint32_t body = hit.surface.primitive;
+        if (!world.primitives[body].medium) continue;
+        const auto at = std::find(after.begin(), after.end(), body);
+        if (hit.surface.entering && at == after.end()) after.push_back(body);
+        if (!hit.surface.entering && at != after.end()) after.erase(at);
+    }
+    return after;
+}
+
+/// What the ray runs in: the last body entered; null in empty space.
+template <class Real>
+const Finish<Real>* medium_of(const World<Real>& world, const MediaList& media) {
+    if (media.empty()) return nullptr;
+    return &world.finishes[world.primitives[media.back()].material];
+}
+
+template <class Real>
+Real index_of(const World<Real>& world, const MediaList& media) {
+    const Finish<Real>* medium = medium_of(world, media);
+    return medium == nullptr ? Real(1) : medium->ior;
+}
+
+/// Drops the bodies that cannot hold a point beyond parameter t of the ray although they are in the
+/// list: a crossing was lost. Returns how many.
+template <class Real>
+std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray, Real t) {
+    if (media.empty()) return 0;
+    const Vec3<Real> point = (ray.origin + t * ray.dir) + ray.origin_lo;
+    const Vec3<Real> slack =
+        gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(t)) + Vec3<Real>(ray.origin_error);
+    const auto outside = [&](std::uint32_t body) {
+        const Bounds<Real>& b = world.medium_bounds[world.primitives[body].medium_slot];
+        for (int axis = 0; axis < 3; ++axis) {
+            if (point[axis] + slack[axis] < b.min[axis] || point[axis] - slack[axis] > b.max[axis])
+                return true;
+        }
+        return false;
+    };
+    const auto end = std::remove_if(media.begin(), media.end(), outside);
+    const auto lost = static_cast<std::uint64_t>(media.end() - end);
+    media.erase(end, media.end());
+    return lost;
+}
+
+/// A ray that meets nothing more is only inside half spaces; anything else in its list lost a
+/// crossing. Returns how many did.
+template <class Real>
+std::uint64_t drop_bounded(const World<Real>& world, MediaList& media) {
+    const auto bounded = [&](std::uint32_t body) { return body < world.bounded; };
+    const auto end = std::remove_if(media.begin(), media.end(), bounded);
+    const auto lost = static_cast<std::uint64_t>(media.end() - end);
+    media.erase(end, media.end());
+    return lost;
+}
+
+}  // namespace lancer

@@ -1,0 +1,156 @@
+#include "tracer/mesh_compile.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "model/bodies.h"
+#include "tracer/bvh_build.h"
+#include "tracer/scale.h"
+
+namespace lancer {
+namespace {
+
+/// Averages of the adjoining faces' normals, weighted by area. A vertex without one (all its faces
+/// cancel) gets 0 and its faces then show their geometric normal.
+template <class Real>
+std::vector<Vec3<Real>> averaged_normals(const TriangleMesh<Real>& mesh) {
+    std::vector<Vec3<Real>> normals(mesh.vertices.size(), Vec3<Real>(0));
+    for (const Mesh::Corners& face : mesh.source->faces) {
+        const Vec3<Real>& a = mesh.vertices[face[0]];
+        const Vec3<Real> twice_area = cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
+        for (const std::uint32_t corner : face) normals[corner] += twice_area;
+    }
+    for (Vec3<Real>& n : normals) {
+        const Real size = max_component(absolute(n));
+        if (size > 0) n = normalize(n / size);
+    }
+    return normals;
+}
+
+template <class Real>
+std::vector<Vec3<Real>> given_normals(const Mesh& mesh) {
+    std::vector<Vec3<Real>> normals;
+    normals.reserve(mesh.normals.size());
+    for (const Vec3d& given : mesh.normals) {
+        const double size = max_component(absolute(given));
+        normals.push_back(size > 0 ? normalize(convert<Real>(given / size)) : Vec3<Real>(0));
+    }
+    return normals;
+}
+
+/// Six times the volume inside, in units of the mesh's size: only its sign is used.
+double signed_volume(const Mesh& mesh, const std::vector<std::uint8_t>& turned) {
+    const Vec3d origin = mesh.vertices[mesh.faces.front()[0]];
+    double size = 0;
+    for (const Vec3d& v : mesh.vertices) size = std::max(size, max_component(absolute(v - origin)));
+    double volume = 0;
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const Mesh::Corners& f = mesh.faces[i];
+        const Vec3d a = (mesh.vertices[f[0]] - origin) / size;
+        const Vec3d b = (mesh.vertices[f[1]] - origin) / size;
+        const Vec3d c = (mesh.vertices[f[2]] - origin) / size;
+        volume += dot(a, cross(b, c)) * (turned[i] ? -1 : 1);
+    }
+    return volume;
+}
+
+struct Edge {
+    std::uint32_t low, high;  ///< its vertices
+    std::uint32_t face;
+    bool upward;  ///< the face runs from low to high
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> inward_faces(const Mesh& mesh) {
+    const std::vector<std::uint32_t> vertex = first_at_same_place(mesh.vertices);
+    std::vector<Edge> edges;
+    edges.reserve(mesh.faces.size() * 3);
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = vertex[mesh.faces[f][i]];
+            const std::uint32_t b = vertex[mesh.faces[f][(i + 1) % 3]];
+            edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        return std::tuple(a.low, a.high, a.face) < std::tuple(b.low, b.high, b.face);
+    });
+    // Closed: edges stand in pairs. For each face its three neighbours, and whether they agree with
+    // it.
+    struct Neighbour {
+        std::uint32_t face;
+        bool agrees;
+    };
+    std::vector<std::array<Neighbour, 3>> neighbours(mesh.faces.size());
+    std::vector<std::uint8_t> filled(mesh.faces.size(), 0);
+    for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
+        const Edge& a = edges[i];
+        const Edge& b = edges[i + 1];
+        const bool agrees = a.upward != b.upward;
+        neighbours[a.face][filled[a.face]++] = {b.face, agrees};
+        neighbours[b.face][filled[b.face]++] = {a.face, agrees};
+    }
+    constexpr std::uint8_t unseen = 2;
+    std::vector<std::uint8_t> turned(mesh.faces.size(), unseen);
+    std::vector<std::uint32_t> waiting;
+    for (std::uint32_t first = 0; first < mesh.faces.size(); ++first) {
+        if (turned[first] != unseen) continue;
+        turned[first] = 0;
+        waiting.push_back(first);
+        while (!waiting.empty()) {
+            const std::uint32_t face = waiting.back();
+            waiting.pop_back();
+            for (const Neighbour& n : neighbours[face]) {
+                if (turned[n.face] != unseen) continue;
+                turned[n.face] = n.agrees ? turned[face] : std::uint8_t(1 - turned[face]);
+                waiting.push_back(n.face);
+            }
+        }
+    }
+    if (signed_volume(mesh, turned) < 0) {
+        for (std::uint8_t& t : turned) t = std::uint8_t(1 - t);
+    }
+    if (std::find(turned.begin(), turned.end(), 1) == turned.end()) turned.clear();
+    return turned;
+}
+
+template <class Real>
+std::unique_ptr<TriangleMesh<Real>> compile_mesh(std::shared_ptr<const Mesh> source, int exponent,
+                                                 const MeshNeeds& needs, int threads) {
+    auto mesh = std::make_unique<TriangleMesh<Real>>();
+    mesh->source = std::move(source);
+    const Mesh& from = *mesh->source;
+    mesh->vertices.reserve(from.vertices.size());
+    for (const Vec3d& v : from.vertices)
+        mesh->vertices.push_back(convert<Real>(scaled(v, exponent)));
+    if (needs.normals) {
+        if (from.normals.empty()) {
+            mesh->normals = averaged_normals(*mesh);
+            mesh->normal_faces = &from.faces;
+        } else {
+            mesh->normals = given_normals<Real>(from);
+            mesh->normal_faces = from.normal_faces.empty() ? &from.faces : &from.normal_faces;
+        }
+    }
+    if (needs.body) mesh->inward = inward_faces(from);
+    std::vector<Bounds<Real>> boxes;
+    boxes.reserve(from.faces.size());
+    for (const Mesh::Corners& face : from.faces) {
+        Bounds<Real> box;
+        for (const std::uint32_t corner : face) box.extend(mesh->vertices[corner]);
+        boxes.push_back(box);
+    }
+    mesh->bvh = build_bvh(boxes, 4, threads);
+    return mesh;
+}
+
+template std::unique_ptr<TriangleMesh<float>> compile_mesh(std::shared_ptr<const Mesh>, int,
+                                                           const MeshNeeds&, int);
+template std::unique_ptr<TriangleMesh<double>> compile_mesh(std::shared_ptr<const Mesh>, int,
+                                                            const MeshNeeds&, int);
+template std::unique_ptr<TriangleMesh<long double>> compile_mesh(std::shared_ptr<const Mesh>, int,
+                                                                 const MeshNeeds&, int);
+
+}  // namespace lancer

@@ -1,0 +1,230 @@
+// What a ray meets next: the nearest contact, or the way to a light.
+#pragma once
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+
+#include "tracer/world.h"
+
+namespace lancer {
+
+using SurfaceList = boost::container::small_vector<SurfaceId, 4>;
+/// The bodies (primitives) that a ray is inside of, in the order entered. No fixed limit.
+using MediaList = boost::container::small_vector<std::uint32_t, 8>;
+
+inline bool contains(const MediaList& media, std::uint32_t primitive) {
+    return std::find(media.begin(), media.end(), primitive) != media.end();
+}
+
+/// Where a ray goes on from.
+template <class Real>
+struct Start {
+    Real t = 0;  ///< hits before this parameter are behind
+    bool fresh =
+        true;  ///< the origin lies on `surfaces`; else the ray passed straight through them at t
+    SurfaceList surfaces;  ///< of the contact it comes from
+};
+
+template <class Real>
+struct Hit {
+    Real t;
+    Real error;
+    SurfaceId surface;
+    Real u = 0;  ///< weights of the second and third corner, triangles only
+    Real v = 0;
+};
+
+template <class Real>
+using Contact = boost::container::small_vector<Hit<Real>, 4>;
+
+/// Which crossings count, for a ray with this start and these bodies around it.
+///
+/// A body that matters as a medium follows the state rule: one that the ray is in can only be left,
+/// one that it is not in only entered, at zero distance too. So coincident and glued faces need no
+/// tolerance. Everything else must lie ahead by more than its error bound, except that a ray enters
+/// an opaque body at distance zero when it stays in it for longer than rounding could explain.
+template <class Real>
+class Acceptance {
+  public:
+    Acceptance(const World<Real>& world, const Start<Real>& start, const MediaList& media)
+        : world_(world), start_(start), media_(media) {}
+
+    Known known(std::uint32_t primitive) const {
+        Known k;
+        if (start_.fresh) {
+            for (const SurfaceId& s : start_.surfaces) {
+                if (s.primitive == primitive) k.start_face = s.face;
+            }
+        }
+        if (world_.has_media && world_.primitives[primitive].medium)
+            k.inside = contains(media_, primitive);
+        return k;
+    }
+
+    /// Whether the crossing counts; moves it up to the start where rounding put it before.
+    bool operator()(std::uint32_t primitive, Crossing<Real>& c) const {
+        const Primitive<Real>& p = world_.primitives[primitive];
+        const Real ahead = c.t - start_.t;
+        if (ahead < -c.error) return false;
+        bool same_primitive = false;
+        for (const SurfaceId& s : start_.surfaces) {
+            if (s.primitive != primitive) continue;
+            same_primitive = true;
+            if (start_.fresh ? is_face_by_face(p) && s.face == c.face
+                             : s.face == c.face && s.entering == c.entering)
+                return false;
+        }
+        if (p.medium && world_.has_media) {
+            if (contains(media_, primitive) == c.entering) return false;
+        } else if (!(ahead > c.error)) {
+            const bool enters_wall =
+                p.body && c.entering && !same_primitive && c.chord > 4 * c.error;
+            if (!enters_wall) return false;
+        }
+        if (c.t < start_.t) c.t = start_.t;
+        return true;
+    }
+
+  private:
+    /// Shapes that do not divide their start out themselves, because a line meets each face once.
+    static bool is_face_by_face(const Primitive<Real>& p) {
+        return std::holds_alternative<MeshInstance<Real>>(p.solid) ||
+               std::holds_alternative<TriangleSheet<Real>>(p.solid);
+    }
+
+    const World<Real>& world_;
+    const Start<Real>& start_;
+    const MediaList& media_;
+};
+
+/// Reports all crossings of the world ray with one primitive: report(Crossing, u, v), which returns
+/// true to stop.
+template <class Real, class Limit, class Report>
+void primitive_crossings(const World<Real>& world, std::uint32_t index, const Ray<Real>& world_ray,
+                         const Known& known, Real t_min, Limit&& limit, Report&& report) {
+    const Primitive<Real>& p = world.primitives[index];
+    const auto in_space = [&](const Ray<Real>& ray) {
+        std::visit(
+            [&](const auto& solid) {
+                using S = std::decay_t<decltype(solid)>;
+                if constexpr (std::is_same_v<S, MeshInstance<Real>>) {
+                    crossings(solid, ray, t_min, limit, report);
+                } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
+                    TriangleHit<Real> hit;
+                    if (intersect(solid, ray, hit))
+                        report(Crossing<Real>{hit.t, hit.error, 0, hit.entering}, hit.u, hit.v);
+                } else {
+                    crossings(solid, ray, known,
+                              [&](const Crossing<Real>& c) { report(c, Real(0), Real(0)); });
+                }
+            },
+            p.solid);
+    };
+    if (p.frame == none) {
+        in_space(world_ray);
+    } else {
+        in_space(to_local(world_ray, world.frames[p.frame]));
+    }
+}
+
+/// Visits every primitive that the ray may meet between t_min and limit(): visit(index) returns
+/// true to stop.
+template <class Real, class Limit, class Visit>
+void candidates(const World<Real>& world, const Ray<Real>& ray, Real t_min, Limit&& limit,
+                Visit&& visit) {
+    for (std::uint32_t i = world.bounded; i < world.primitives.size(); ++i) {
+        if (visit(i)) return;
+    }
+    traverse(world.bvh, ray, t_min, limit, [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            if (visit(i)) return true;
+        }
+        return false;
+    });
+}
+
+/// Collects the hits nearest to the start that are one contact: those whose distances differ by
+/// less than their error bounds together. A hit's own bound counts up to seven times the nearest
+/// one's, so that what belongs to the contact follows from the nearest hit and not from the order
+/// of the search.
+template <class Real>
+class NearestContact {
+  public:
+    Real limit() const { return limit_; }
+
+    void add(const Hit<Real>& hit) {
+        if (!(hit.t <= limit_)) return;
+        if (hits_.empty() || before(hit, nearest_)) {
+            nearest_ = hit;
+            const Real new_limit = hit.t + 8 * hit.error;
+            if (!hits_.empty() && lowest_other_ > new_limit) hits_.clear();
+            limit_ = new_limit;
+        }
+        if (hits_.empty() || hit.t < lowest_other_) lowest_other_ = hit.t;
+        hits_.push_back(hit);
+    }
+
+    /// The contact, nearest hit first for the caller to reorder; empty when nothing was met.
+    Contact<Real> take() {
+        const auto apart = [&](const Hit<Real>& h) {
+            const Real own = std::min(h.error, 7 * nearest_.error);
+            return h.t - nearest_.t > nearest_.error + own;
+        };
+        hits_.erase(std::remove_if(hits_.begin(), hits_.end(), apart), hits_.end());
+        for (Hit<Real>& h : hits_) {
+            if (h.surface == nearest_.surface) std::swap(h, hits_.front());
+        }
+        return std::move(hits_);
+    }
+
+  private:
+    static bool before(const Hit<Real>& a, const Hit<Real>& b) {
+        if (a.t != b.t) return a.t < b.t;
+        return a.surface.primitive < b.surface.primitive;
+    }
+    Contact<Real> hits_;
+    Hit<Real> nearest_{};
+    Real lowest_other_ = 0;
+    Real limit_ = std::numeric_limits<Real>::infinity();
+};
+
+/// Sorts a contact as it is crossed: entries before exits, each in the order of declaration.
+template <class Real>
+void order_contact(const World<Real>& world, Contact<Real>& contact) {
+    if (contact.size() < 2) return;
+    std::sort(contact.begin(), contact.end(), [&](const Hit<Real>& a, const Hit<Real>& b) {
+        if (a.surface.entering != b.surface.entering) return a.surface.entering;
+        const std::uint32_t object_a = world.primitives[a.surface.primitive].object;
+        const std::uint32_t object_b = world.primitives[b.surface.primitive].object;
+        if (object_a != object_b) return object_a < object_b;
+        return a.surface.face < b.surface.face;
+    });
+}
+
+/// Which objects a query sees: all, or those that cast shadows.
+enum class Shadows { ignore, cast };
+
+/// Everything that the ray meets first, the nearest hit in front. Empty: it leaves the scene.
+template <class Real>
+Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
+                              const Start<Real>& start, const MediaList& media,
+                              Shadows shadows = Shadows::ignore) {
+    const Acceptance<Real> accept(world, start, media);
+    NearestContact<Real> found;
+    const auto limit = [&] { return found.limit(); };
+    // A body that the ray is in may be left a rounding before the start.
+    const Real t_min = start.t * (1 - gamma<Real>(32));
+    candidates(world, ray, t_min, limit, [&](std::uint32_t index) {
+        if (shadows == Shadows::cast && !world.primitives[index].casts_shadow) return false;
+        primitive_crossings(world, index, ray, accept.known(index), t_min, limit,
+                            [&](Crossing<Real> c, Real u, Real v) {
+                                if (accept(index, c))
+                                    found.add({c.t, c.error, {index, c.face, c.entering}, u, v});
+                                return false;
+                            });
+        return false;
+    });
+    return found.take();
+}
+
+}  // namespace lancer

@@ -1,0 +1,133 @@
+// Rays, and what a ray knows about where it starts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "model/affine.h"
+#include "model/shapes.h"
+#include "tracer/rounding.h"
+
+namespace lancer {
+
+/// Woop's shear: turns the ray into the +z axis, so that a triangle test is three 2-D edge
+/// functions. Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1) 2013,
+/// section 3.
+template <class Real>
+struct Shear {
+    int x = 0;  ///< axes after the permutation that makes z the ray's longest component
+    int y = 1;
+    int z = 2;
+    Real sx = 0;
+    Real sy = 0;
+    Real sz = 1;
+};
+
+/// A half line. World rays have unit directions; rays in an object's space keep the parameter t of
+/// the world ray, so their directions have any length.
+template <class Real>
+struct Ray {
+    Vec3<Real> origin;     ///< the start is origin + origin_lo, unevaluated
+    Vec3<Real> origin_lo;  ///< the part of the start that `origin` is too coarse for
+    Vec3<Real> dir;
+    Real dir_squared;  ///< dot(dir, dir)
+    Real
+        origin_error;  ///< bound on the start's distance from the surface it was computed to lie on
+    Vec3<Real> inv_dir;  ///< 1 / dir, component by component
+    Shear<Real> shear;
+};
+
+template <class Real>
+Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const Vec3<Real>& dir,
+                   Real origin_error) {
+    using std::abs;
+    Ray<Real> ray{origin,
+                  origin_lo,
+                  dir,
+                  dot(dir, dir),
+                  origin_error,
+                  Vec3<Real>(1 / dir.x, 1 / dir.y, 1 / dir.z),
+                  {}};
+    Shear<Real>& s = ray.shear;
+    const Real ax = abs(dir.x);
+    const Real ay = abs(dir.y);
+    const Real az = abs(dir.z);
+    s.z = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
+    s.x = (s.z + 1) % 3;
+    s.y = (s.z + 2) % 3;
+    if (dir[s.z] < 0) std::swap(s.x, s.y);  // keeps the winding
+    s.sx = dir[s.x] / dir[s.z];
+    s.sy = dir[s.y] / dir[s.z];
+    s.sz = 1 / dir[s.z];
+    return ray;
+}
+
+/// The ray's start relative to `point`. Exact up to one rounding where the two are near each other,
+/// however far both are from the origin of the world.
+template <class Real>
+Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
+    return (ray.origin - point) + ray.origin_lo;
+}
+
+/// One of the surfaces of a contact: which face of which primitive, crossed in which sense.
+struct SurfaceId {
+    std::uint32_t primitive = none;
+    std::uint32_t face = 0;
+    bool entering = false;  ///< against the outward normal
+
+    bool operator==(const SurfaceId&) const = default;
+};
+
+/// What is known about a ray and a solid before their crossings are computed.
+struct Known {
+    /// The ray starts on this face: its crossing there, at t = 0, is divided out, not computed.
+    std::uint32_t start_face = none;
+    /// The ray is inside the solid: it has a way out, even where rounding denies it.
+    bool inside = false;
+};
+
+/// A crossing of a ray with a surface, on the whole line: t may be negative.
+template <class Real>
+struct Crossing {
+    Real t;
+    Real error;  ///< bound on the rounding error of t
+    std::uint32_t face;
+    bool entering;  ///< against the outward normal; for sheets: against the front
+    /// How far the ray then stays inside, where the solid is convex and its way out is known.
+    Real chord = std::numeric_limits<Real>::infinity();
+};
+
+/// Where a surface was hit, in the space of the ray that was given to the shape.
+template <class Real>
+struct SurfacePoint {
+    Vec3<Real> anchor;  ///< the point is anchor + offset, unevaluated
+    Vec3<Real> offset;
+    Real error;            ///< bound on the point's distance from the surface
+    Vec3<Real> normal;     ///< geometric, outward; any length but 0
+    Vec3<Real> shading;    ///< interpolated where the shape does so, else = normal
+    Vec2<Real> parameter;  ///< face-dependent: barycentrics of a triangle, parameters of a spline
+};
+
+/// An object's own space, for shapes that a world-space primitive cannot express.
+template <class Real>
+struct Frame {
+    Affine<Real> to_world;
+    Affine<Real> linear_inverse;  ///< the linear part's inverse; `shift` is 0
+    Real norm;                    ///< largest absolute row sum of the linear part
+    Real inverse_norm;            ///< the same of the inverse
+};
+
+/// The ray in the frame's space, with the same parameter t.
+template <class Real>
+Ray<Real> to_local(const Ray<Real>& ray, const Frame<Real>& frame) {
+    const Vec3<Real> start = start_from(ray, frame.to_world.shift);
+    // Three products and two sums a component, on the rounded difference.
+    const Vec3<Real> size = absolute(start);
+    const Real error =
+        frame.inverse_norm * (ray.origin_error + gamma<Real>(4) * max_component(size));
+    return make_ray(map_vector(frame.linear_inverse, start), Vec3<Real>(0),
+                    map_vector(frame.linear_inverse, ray.dir), error);
+}
+
+}  // namespace lancer

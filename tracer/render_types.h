@@ -1,0 +1,14 @@
+// The three number types, each compiled in a file of its own.
+#pragma once
+
+#include <memory>
+
+#include "tracer/render.h"
+
+namespace lancer {
+
+std::unique_ptr<Renderer> compile_single(const Scene& scene, const Settings& settings);
+std::unique_ptr<Renderer> compile_double(const Scene& scene, const Settings& settings);
+std::unique_ptr<Renderer> compile_extended(const Scene& scene, const Settings& settings);
+
+}  // namespace lancer

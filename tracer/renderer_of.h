@@ -1,0 +1,135 @@
+// The renderer for one number type; instantiated in render_*.cpp, so that each compiles alone.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+
+#include "tracer/camera.h"
+#include "tracer/compile.h"
+#include "tracer/parallel.h"
+#include "tracer/whitted.h"
+
+namespace lancer {
+
+template <class Real>
+class RendererOf final : public Renderer {
+  public:
+    RendererOf(const Scene& scene, const Settings& settings)
+        : world_(compile_world<Real>(scene, settings)), cameras_(scene.cameras) {}
+
+    Image render(const View& view, const Progress& progress, RayCounts& counts) const override {
+        const Crop crop = view.crop.value_or(Crop{0, 0, view.width, view.height});
+        Image image(crop.width, crop.height, view.aov ? 3 + aov_channels : 3);
+        if (view.aov)
+            image.extra_names = {"object.id", "depth.Z",  "normal.X",
+                                 "normal.Y",  "normal.Z", "shadow.Y"};
+        constexpr int tile = 16;
+        const int across = (crop.width + tile - 1) / tile;
+        const int down = (crop.height + tile - 1) / tile;
+        const Lens<Real> lens = lens_of(view);
+        std::mutex merging;
+        counts = {};
+        for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
+            Whitted<Real> whitted(*world_);
+            for (int index = 0; next_task(index);) {
+                const int left = index % across * tile;
+                const int top = index / across * tile;
+                for (int y = top; y < std::min(top + tile, crop.height); ++y) {
+                    for (int x = left; x < std::min(left + tile, crop.width); ++x)
+                        fill(image.pixel(x, y), whitted, lens, view, crop.x + x, crop.y + y);
+                }
+            }
+            const std::lock_guard lock(merging);
+            counts += whitted.counts;
+        });
+        return image;
+    }
+
+    Probe probe(const View& view, double x, double y) const override {
+        Whitted<Real> whitted(*world_);
+        Witness<Real> witness;
+        const Lens<Real> lens = lens_of(view);
+        Probe probe;
+        probe.color = convert<double>(
+            sample(whitted, lens, view, static_cast<Real>(x), static_cast<Real>(y), &witness));
+        probe.path = witness.path;
+        if (!witness.met) return probe;
+        probe.object = witness.surface.primitive->object;
+        probe.depth = unscaled(witness.distance);
+        probe.normal = convert<double>(witness.surface.normal);
+        probe.lit = witness.lit;
+        return probe;
+    }
+
+    WorldCounts counts() const override {
+        WorldCounts c;
+        c.shapes = world_->primitives.size();
+        c.lights = world_->lights.size();
+        c.nodes = world_->bvh.nodes.size();
+        for (const auto& mesh : world_->meshes) {
+            c.triangles += mesh->source->faces.size();
+            c.nodes += mesh->bvh.nodes.size();
+        }
+        return c;
+    }
+
+  private:
+    static constexpr int aov_channels = 6;
+
+    Lens<Real> lens_of(const View& view) const {
+        return make_lens<Real>(cameras_[view.camera], view.width, view.height,
+                               world_->scale_exponent);
+    }
+    double unscaled(Real distance) const {
+        return static_cast<double>(std::ldexp(distance, -world_->scale_exponent));
+    }
+
+    /// One ray through the point (x, y), in pixels of the whole picture.
+    Vec3<Real> sample(Whitted<Real>& whitted, const Lens<Real>& lens, const View& view, Real x,
+                      Real y, Witness<Real>* witness) const {
+        const Real sx = x / static_cast<Real>(view.width) - Real(0.5);
+        const Real sy = Real(0.5) - y / static_cast<Real>(view.height);
+        return whitted.camera_ray(camera_ray(lens, sx, sy), witness);
+    }
+
+    void fill(double* pixel, Whitted<Real>& whitted, const Lens<Real>& lens, const View& view,
+              int x, int y) const {
+        const int n = world_->settings.samples;
+        Vec3<Real> sum(0);
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) {
+                const Real at_x = static_cast<Real>(x) +
+                                  (static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n);
+                const Real at_y = static_cast<Real>(y) +
+                                  (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(n);
+                sum += sample(whitted, lens, view, at_x, at_y, nullptr);
+            }
+        }
+        const Vec3d color = convert<double>(n == 1 ? sum : sum / static_cast<Real>(n * n));
+        for (int c = 0; c < 3; ++c) pixel[c] = color[c];
+        if (view.aov) fill_aov(pixel + 3, lens, view, x, y);
+    }
+
+    /// By a ray of its own through the centre, which no count shows.
+    void fill_aov(double* out, const Lens<Real>& lens, const View& view, int x, int y) const {
+        Whitted<Real> whitted(*world_);
+        Witness<Real> witness;
+        sample(whitted, lens, view, static_cast<Real>(x) + Real(0.5),
+               static_cast<Real>(y) + Real(0.5), &witness);
+        std::fill(out, out + aov_channels, 0.0);
+        out[0] = -1;
+        if (!witness.met) return;
+        out[0] = witness.surface.primitive->object;
+        out[1] = unscaled(witness.distance);
+        for (int c = 0; c < 3; ++c) out[2 + c] = static_cast<double>(witness.surface.normal[c]);
+        const std::size_t lights = std::min<std::size_t>(world_->lights.size(), 64);
+        std::size_t dark = 0;
+        for (std::size_t i = 0; i < lights; ++i) dark += (witness.lit >> i & 1) == 0;
+        out[5] = lights == 0 ? 0.0 : static_cast<double>(dark) / static_cast<double>(lights);
+    }
+
+    std::unique_ptr<World<Real>> world_;
+    std::vector<Camera> cameras_;
+};
+
+}  // namespace lancer

@@ -1,0 +1,75 @@
+// Floating point made explicit: unit roundoff, exact sums and products, error-free helpers.
+// No tolerance of the tracer is a constant: all are multiples of the unit roundoff times sizes that
+// occur in the computation whose rounding they bound.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "model/math.h"
+
+namespace lancer {
+
+/// u: half the distance from 1 to the next number. Every rounded operation errs by at most a factor
+/// 1 + u.
+template <class Real>
+inline constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
+
+/// n u / (1 - n u): bounds the relative error of n rounded operations in a row.
+/// Higham, Accuracy and Stability of Numerical Algorithms (2002), section 3.1.
+template <class Real>
+constexpr Real gamma(int n) {
+    const Real nu = static_cast<Real>(n) * unit_roundoff<Real>;
+    return nu / (1 - nu);
+}
+
+/// A number as an unevaluated sum hi + lo, |lo| <= u |hi|.
+template <class Real>
+struct Sum {
+    Real hi;
+    Real lo;
+};
+
+/// a + b exactly (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
+template <class Real>
+constexpr Sum<Real> two_sum(Real a, Real b) {
+    const Real s = a + b;
+    const Real b_part = s - a;
+    const Real a_part = s - b_part;
+    return {s, (a - a_part) + (b - b_part)};
+}
+
+/// a b exactly.
+template <class Real>
+Sum<Real> two_product(Real a, Real b) {
+    using std::fma;
+    const Real p = a * b;
+    return {p, fma(a, b, -p)};
+}
+
+/// The sign of a b - c d is exact, and swapping the two products flips it exactly, which triangles
+/// that share an edge rely on. The value is that of the rounded products unless they are equal.
+template <class Real>
+Real signed_difference_of_products(Real a, Real b, Real c, Real d) {
+    const Real ab = a * b;
+    const Real cd = c * d;
+    if (ab != cd) return ab - cd;
+    return two_product(a, b).lo - two_product(c, d).lo;
+}
+
+/// A vector as an unevaluated sum: places keep the digits that one rounding would take from them.
+template <class Real>
+struct VectorSum {
+    Vec3<Real> hi;
+    Vec3<Real> lo;
+};
+
+template <class Real>
+VectorSum<Real> two_sum(const Vec3<Real>& a, const Vec3<Real>& b) {
+    const Sum<Real> x = two_sum(a.x, b.x);
+    const Sum<Real> y = two_sum(a.y, b.y);
+    const Sum<Real> z = two_sum(a.z, b.z);
+    return {{x.hi, y.hi, z.hi}, {x.lo, y.lo, z.lo}};
+}
+
+}  // namespace lancer

@@ -1,0 +1,73 @@
+// How much of a light reaches a point.
+#pragma once
+
+#include "tracer/media.h"
+#include "tracer/optics.h"
+#include "tracer/surface.h"
+
+namespace lancer {
+
+enum class Way { clear, blocked, filtered };
+
+/// Looks once along the way to the light: an opaque surface ends it; whether something transmissive
+/// lies there is only noted.
+template <class Real>
+Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const Start<Real>& start,
+           const MediaList& media) {
+    const Acceptance<Real> accept(world, start, media);
+    Way way = Way::clear;
+    const auto limit = [&] { return distance; };
+    candidates(world, ray, Real(0), limit, [&](std::uint32_t index) {
+        const Primitive<Real>& p = world.primitives[index];
+        if (!p.casts_shadow) return false;
+        primitive_crossings(world, index, ray, accept.known(index), Real(0), limit,
+                            [&](Crossing<Real> c, Real, Real) {
+                                if (p.transmissive) {
+                                    if (c.t >= -c.error && c.t < distance) way = Way::filtered;
+                                    return false;
+                                }
+                                if (!accept(index, c) || !(c.t < distance - c.error)) return false;
+                                way = Way::blocked;
+                                return true;
+                            });
+        return way == Way::blocked;
+    });
+    return way;
+}
+
+/// The share of light that comes straight to the start of `ray` from `distance` away: the product
+/// of T over every surface crossed and of the absorption on the way. No refraction, no limit on the
+/// number of surfaces.
+///
+/// \param media  the bodies around the first stretch of the way
+template <class Real>
+Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
+                         const SurfaceList& touched, MediaList media) {
+    Start<Real> start{0, true, touched};
+    const Way way = survey(world, ray, distance, start, media);
+    if (way == Way::blocked) return Vec3<Real>(0);
+    Vec3<Real> light(1);
+    while (way == Way::filtered) {
+        Contact<Real> contact = nearest_contact(world, ray, start, media, Shadows::cast);
+        if (contact.empty()) break;
+        const Hit<Real>& nearest = contact.front();
+        if (!(nearest.t < distance - nearest.error)) break;
+        if (const Finish<Real>* medium = medium_of(world, media); medium && medium->absorbs)
+            light = light * absorbed(medium->absorption, nearest.t - start.t);
+        order_contact(world, contact);
+        start.surfaces.clear();
+        for (const Hit<Real>& hit : contact) {
+            light = light * make_surface(world, ray, hit).passing;
+            start.surfaces.push_back(hit.surface);
+        }
+        if (!(max_component(light) > 0)) return Vec3<Real>(0);
+        start.t = nearest.t;
+        start.fresh = false;
+        media = crossed(world, media, contact);
+    }
+    if (const Finish<Real>* medium = medium_of(world, media); medium && medium->absorbs)
+        light = light * absorbed(medium->absorption, distance - start.t);
+    return light;
+}
+
+}  // namespace lancer

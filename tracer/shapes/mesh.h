@@ -1,0 +1,69 @@
+// Meshes: flat arrays and a tree of their own, shared by all the places where the mesh stands.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/bvh.h"
+#include "tracer/shapes/triangle.h"
+
+namespace lancer {
+
+/// A mesh of the scene in its own space.
+template <class Real>
+struct TriangleMesh {
+    std::shared_ptr<const Mesh> source;  ///< faces, uvs and their indices
+    std::vector<Vec3<Real>> vertices;
+    std::vector<Vec3<Real>> normals;  ///< given or averaged, unit; empty when nobody interpolates
+    const std::vector<Mesh::Corners>* normal_faces = nullptr;  ///< into `normals`, one per face
+    Bvh<Real> bvh;                                             ///< over the faces
+    std::vector<std::uint8_t>
+        inward;  ///< of a body: 1 for faces that look inside; empty: none does
+
+    TriangleSheet<Real> triangle(std::uint32_t face) const {
+        const Mesh::Corners& corner = source->faces[face];
+        return {vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]};
+    }
+};
+
+/// One place where a mesh stands. Faces are numbered as in the mesh.
+template <class Real>
+struct MeshInstance {
+    const TriangleMesh<Real>* mesh;
+    bool smooth;
+};
+
+/// Reports every crossing of the line with the mesh at a parameter from t_min to limit().
+template <class Real, class Limit, class Report>
+void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, Real t_min, Limit&& limit,
+               Report&& report) {
+    const TriangleMesh<Real>& mesh = *instance.mesh;
+    traverse(mesh.bvh, ray, t_min, limit, [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            const std::uint32_t face = mesh.bvh.order[i];
+            TriangleHit<Real> hit;
+            if (intersect(mesh.triangle(face), ray, hit)) {
+                const bool inward = !mesh.inward.empty() && mesh.inward[face] != 0;
+                if (report(Crossing<Real>{hit.t, hit.error, face, hit.entering != inward}, hit.u,
+                           hit.v))
+                    return true;
+            }
+        }
+        return false;
+    });
+}
+
+/// The interpolated normal at weights u, v; the geometric one where the face has none.
+template <class Real>
+Vec3<Real> shading_normal(const MeshInstance<Real>& instance, std::uint32_t face, Real u, Real v,
+                          const Vec3<Real>& geometric) {
+    const TriangleMesh<Real>& mesh = *instance.mesh;
+    if (!instance.smooth || mesh.normals.empty()) return geometric;
+    const Mesh::Corners& corner = (*mesh.normal_faces)[face];
+    if (corner[0] == none || corner[1] == none || corner[2] == none) return geometric;
+    const Vec3<Real> sum = (1 - u - v) * mesh.normals[corner[0]] + u * mesh.normals[corner[1]] +
+                           v * mesh.normals[corner[2]];
+    return length_squared(sum) > 0 ? sum : geometric;
+}
+
+}  // namespace lancer

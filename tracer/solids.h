@@ -1,0 +1,228 @@
+// Shapes of the scene → solids of the tracer: scaled, and put in world space where that loses
+// nothing.
+#pragma once
+
+#include <cmath>
+
+#include "model/diagnostic.h"
+#include "tracer/scale.h"
+#include "tracer/world.h"
+
+namespace lancer {
+
+/// Makes the tracer's solids, and the frames of those that stay in a space of their own.
+///
+/// A similarity (turn, mirror, even scale, shift) is baked into a sphere, cylinder, cone; any map
+/// into a plane or triangle; one that keeps the axes apart into a box. All else keeps its shape and
+/// gets a frame.
+template <class Real>
+class Solids {
+  public:
+    Solids(const Scene& scene, const Settings& settings, World<Real>& world)
+        : scene_(scene), settings_(settings), world_(world) {}
+
+    /// \param mesh  the compiled mesh, for a MeshRef
+    Primitive<Real> make(const Object& object, const TriangleMesh<Real>* mesh) {
+        const Affine<double>& m = scene_.transforms[object.transform];
+        const bool identity = m == Affine<double>{};
+        const bool is_mesh = mesh != nullptr;
+        // The shape's own coordinates are scaled by 2^own, those of the world by 2^scale.
+        const int own = identity && !is_mesh ? world_.scale_exponent
+                                             : exponent_for(extent_of(object.shape, scene_));
+        const Affine<Real> map = scaled_map(m, own);
+        Primitive<Real> p;
+        std::visit(
+            [&](const auto& shape) {
+                if constexpr (requires { solid(shape, own, map, mesh, p); }) {
+                    p.solid = solid(shape, own, map, mesh, p);
+                } else {
+                    throw SceneError(object.place, "spline surfaces are not rendered yet");
+                }
+            },
+            object.shape);
+        return p;
+    }
+
+  private:
+    /// The map from the shape's scaled space to the world's.
+    Affine<Real> scaled_map(const Affine<double>& m, int own) const {
+        Affine<Real> map;
+        for (std::size_t i = 0; i < 3; ++i)
+            map.rows[i] = convert<Real>(scaled(m.rows[i], world_.scale_exponent - own));
+        map.shift = convert<Real>(scaled(m.shift, world_.scale_exponent));
+        return map;
+    }
+
+    static bool is_identity(const Affine<Real>& map) { return map == Affine<Real>{}; }
+
+    /// The factor of a similarity, or 0 for any other map: all columns of one length and at right
+    /// angles, as far as rounding lets one see.
+    static Real similarity(const Affine<Real>& map) {
+        using std::abs;
+        using std::sqrt;
+        const auto column = [&](int i) {
+            return Vec3<Real>(map.rows[0][i], map.rows[1][i], map.rows[2][i]);
+        };
+        const Vec3<Real> x = column(0);
+        const Vec3<Real> y = column(1);
+        const Vec3<Real> z = column(2);
+        const Real xx = dot(x, x);
+        const Real bound = gamma<Real>(16) * xx;
+        const bool even = abs(dot(y, y) - xx) <= bound && abs(dot(z, z) - xx) <= bound;
+        const bool square =
+            abs(dot(x, y)) <= bound && abs(dot(y, z)) <= bound && abs(dot(z, x)) <= bound;
+        return even && square ? sqrt(xx) : Real(0);
+    }
+
+    void add_frame(const Affine<Real>& map, Primitive<Real>& p) {
+        const auto row_sum = [](const Affine<Real>& m) {
+            Real most = 0;
+            for (const Vec3<Real>& row : m.rows) {
+                const Vec3<Real> a = absolute(row);
+                const Real sum = a.x + a.y + a.z;
+                if (sum > most) most = sum;
+            }
+            return most;
+        };
+        Frame<Real> frame;
+        frame.to_world = map;
+        Affine<long double> linear = convert<long double>(map);
+        linear.shift = Vec3<long double>(0);
+        frame.linear_inverse = convert<Real>(inverse(linear));
+        frame.linear_inverse.shift = Vec3<Real>(0);
+        frame.norm = row_sum(map);
+        frame.inverse_norm = row_sum(frame.linear_inverse);
+        p.frame = static_cast<std::uint32_t>(world_.frames.size());
+        world_.frames.push_back(frame);
+    }
+
+    static Vec3<Real> point(const Vec3d& p, int own) { return convert<Real>(scaled(p, own)); }
+    static Real number(double x, int own) { return static_cast<Real>(std::ldexp(x, own)); }
+
+    Solid<Real> solid(const Sphere& s, int own, const Affine<Real>& map, const TriangleMesh<Real>*,
+                      Primitive<Real>& p) {
+        BallSolid<Real> ball{point(s.center, own), number(s.radius, own)};
+        if (is_identity(map)) return ball;
+        if (const Real factor = similarity(map); factor > 0)
+            return BallSolid<Real>{map_point(map, ball.center), ball.radius * factor};
+        add_frame(map, p);
+        return ball;
+    }
+
+    Solid<Real> solid(const Box& b, int own, const Affine<Real>& map, const TriangleMesh<Real>*,
+                      Primitive<Real>& p) {
+        BoxSolid<Real> box{point(b.min, own), point(b.max, own)};
+        if (is_identity(map)) return box;
+        // One number in each row and column: axes go to axes.
+        BoxSolid<Real> moved;
+        bool along_axes = true;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3<Real>& row = map.rows[static_cast<std::size_t>(i)];
+            int from = -1;
+            for (int j = 0; j < 3; ++j) {
+                if (row[j] == 0) continue;
+                if (from >= 0) along_axes = false;
+                from = j;
+            }
+            if (from < 0) along_axes = false;
+            if (!along_axes) break;
+            const Real a = row[from] * box.min[from] + map.shift[i];
+            const Real b_end = row[from] * box.max[from] + map.shift[i];
+            moved.min[i] = a < b_end ? a : b_end;
+            moved.max[i] = a < b_end ? b_end : a;
+        }
+        if (along_axes) return moved;
+        add_frame(map, p);
+        return box;
+    }
+
+    Solid<Real> frustum(const Vec3d& base, const Vec3d& top, double base_radius, double top_radius,
+                        bool capped, int own, const Affine<Real>& map, Primitive<Real>& p) {
+        const bool base_is_small = base_radius <= top_radius;
+        Vec3<Real> small = point(base_is_small ? base : top, own);
+        Vec3<Real> large = point(base_is_small ? top : base, own);
+        Real small_radius = number(base_is_small ? base_radius : top_radius, own);
+        Real large_radius = number(base_is_small ? top_radius : base_radius, own);
+        if (!is_identity(map)) {
+            if (const Real factor = similarity(map); factor > 0) {
+                small = map_point(map, small);
+                large = map_point(map, large);
+                small_radius *= factor;
+                large_radius *= factor;
+            } else {
+                add_frame(map, p);
+            }
+        }
+        FrustumSolid<Real> f;
+        f.small_end = small;
+        f.large_end = large;
+        const Vec3<Real> along = large - small;
+        const Real longest = max_component(absolute(along));
+        const Vec3<Real> short_axis = along / longest;
+        f.height = longest * length(short_axis);
+        f.axis = normalize(short_axis);
+        f.radius = small_radius;
+        f.slope = (large_radius - small_radius) / f.height;
+        f.capped = capped;
+        return f;
+    }
+
+    Solid<Real> solid(const Cylinder& c, int own, const Affine<Real>& map,
+                      const TriangleMesh<Real>*, Primitive<Real>& p) {
+        return frustum(c.base, c.top, c.radius, c.radius, c.capped, own, map, p);
+    }
+    Solid<Real> solid(const Cone& c, int own, const Affine<Real>& map, const TriangleMesh<Real>*,
+                      Primitive<Real>& p) {
+        return frustum(c.base, c.top, c.base_radius, c.top_radius, c.capped, own, map, p);
+    }
+
+    Solid<Real> solid(const Plane& plane, int own, const Affine<Real>& map,
+                      const TriangleMesh<Real>*, Primitive<Real>&) {
+        const Vec3<Real> n =
+            normalize(convert<Real>(plane.normal / max_component(absolute(plane.normal))));
+        const Vec3<Real> on = n * number(plane.offset, own);
+        if (is_identity(map)) return HalfSpace<Real>{n, on};
+        Affine<long double> linear = convert<long double>(map);
+        linear.shift = Vec3<long double>(0);
+        const Vec3<long double> turned = map_transposed(inverse(linear), convert<long double>(n));
+        return HalfSpace<Real>{convert<Real>(normalize(turned / max_component(absolute(turned)))),
+                               map_point(map, on)};
+    }
+
+    Solid<Real> solid(const Triangle& t, int own, const Affine<Real>& map,
+                      const TriangleMesh<Real>*, Primitive<Real>& p) {
+        const bool identity = is_identity(map);
+        const auto corner = [&](std::size_t i) {
+            const Vec3<Real> local = point(t.points[i], own);
+            return identity ? local : map_point(map, local);
+        };
+        if (settings_.smooth && t.attributes != none &&
+            scene_.triangle_attributes[t.attributes].normals) {
+            Affine<long double> linear = convert<long double>(map);
+            linear.shift = Vec3<long double>(0);
+            const Affine<long double> back = inverse(linear);
+            std::array<Vec3<Real>, 3> normals;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Vec3d& given = (*scene_.triangle_attributes[t.attributes].normals)[i];
+                const Vec3<long double> n = map_transposed(
+                    back, convert<long double>(given / max_component(absolute(given))));
+                normals[i] = convert<Real>(normalize(n / max_component(absolute(n))));
+            }
+            p.corner_normals = static_cast<std::uint32_t>(world_.corner_normals.size());
+            world_.corner_normals.push_back(normals);
+        }
+        return TriangleSheet<Real>{corner(0), corner(1), corner(2)};
+    }
+
+    Solid<Real> solid(const MeshRef& ref, int, const Affine<Real>& map,
+                      const TriangleMesh<Real>* mesh, Primitive<Real>& p) {
+        if (!is_identity(map)) add_frame(map, p);
+        return MeshInstance<Real>{mesh, ref.smooth && settings_.smooth};
+    }
+
+    const Scene& scene_;
+    const Settings& settings_;
+    World<Real>& world_;
+};
+
+}  // namespace lancer

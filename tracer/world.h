@@ -1,0 +1,102 @@
+// A compiled scene: what the tracer reads, once per ray and shape. Never changes after compile.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "model/scene.h"
+#include "tracer/bvh.h"
+#include "tracer/shapes/box.h"
+#include "tracer/shapes/frustum.h"
+#include "tracer/shapes/mesh.h"
+#include "tracer/shapes/plane.h"
+#include "tracer/shapes/sphere.h"
+#include "tracer/shapes/triangle.h"
+
+namespace lancer {
+
+/// The tracer's own closed list of shapes, derived from `Shape` by compile.
+template <class Real>
+using Solid = std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
+                           TriangleSheet<Real>, MeshInstance<Real>>;
+
+template <class Real>
+struct Primitive {
+    Solid<Real> solid;
+    std::uint32_t frame = none;  ///< index into World::frames; none: in world space
+    std::uint32_t object_frame =
+        none;                  ///< the object's own space, when textures need it; none: the world's
+    std::uint32_t object = 0;  ///< index into Scene::objects, which is the order of declaration
+    std::uint32_t material = 0;
+    std::uint32_t corner_normals =
+        none;                   ///< index into World::corner_normals; lone smooth triangles
+    bool body = false;          ///< has an inside
+    bool transmissive = false;  ///< some light may pass through its surface
+    bool medium = false;  ///< a body whose inside matters to rays: transmissive, or of its own ior
+                          ///< or absorption
+    bool casts_shadow = true;
+    std::uint32_t medium_slot = none;  ///< index into World::mediums
+};
+
+/// A material in the tracer's number type, with what follows from it alone.
+template <class Real>
+struct Finish {
+    Vec3<Real> color;
+    std::uint32_t texture = none;
+    Real ambient, diffuse;
+    Vec3<Real> emission;
+    Real phong, shininess, blinn, inverse_roughness, metallic;
+    Vec3<Real> reflection;
+    bool fresnel = false;
+    bool reflects = false;
+    Real transmission, filter, ior;
+    Vec3<Real> absorption;
+    bool absorbs = false;
+    Real diffuse_transmission, phong_transmission;
+    bool lit_from_behind = false;
+};
+
+template <class Real>
+struct LightSource {
+    enum class Kind { point, directional, spot };
+    Kind kind;
+    Vec3<Real> position;  ///< point, spot
+    Vec3<Real>
+        direction;  ///< directional: towards the light, unit; spot: the axis, away from it, unit
+    Vec3<Real> color;
+    bool shadows;  ///< false: a fill light
+    bool fades = false;
+    Real fade_distance = 1, fade_power = 2;
+    Real cos_radius = 1, cos_falloff = 0, tightness = 0;  ///< spot
+};
+
+template <class Real>
+struct World {
+    std::vector<Primitive<Real>> primitives;  ///< in leaf order of `bvh`, then the unbounded ones
+    std::uint32_t bounded = 0;                ///< primitives[bounded..] are in no tree
+    Bvh<Real> bvh;                            ///< over primitives[0..bounded)
+    std::vector<Frame<Real>> frames;
+    std::vector<Bounds<Real>>
+        medium_bounds;  ///< of `mediums`, in the same order; unbounded: infinite
+    std::vector<std::uint32_t>
+        mediums;  ///< primitives that are media: largest box first, then declaration
+    std::vector<std::unique_ptr<TriangleMesh<Real>>> meshes;
+    std::vector<std::array<Vec3<Real>, 3>> corner_normals;  ///< unit, in the primitive's space
+    std::vector<Finish<Real>> finishes;
+    std::vector<LightSource<Real>> lights;
+    Vec3<Real> background{0};
+    Vec3<Real> ambient{1};
+    Settings settings;
+
+    /// World coordinates are those of the scene times 2^scale_exponent, so that their extent is
+    /// near 1: scaling a scene by a power of two changes nothing after compile, bit for bit.
+    int scale_exponent = 0;
+    bool has_transmission = false;  ///< some primitive is transmissive
+    bool has_media = false;         ///< lists of bodies must be carried
+    bool has_textures = false;
+};
+
+}  // namespace lancer
