@@ -55,20 +55,9 @@ void check_writable(const std::string& path) {
         throw FileError(fmt::format("cannot write '{}': it is a folder", path));
 }
 
-std::size_t find_camera(const RenderJob& job, const Scene& scene) {
-    if (job.camera.empty()) return 0;
-    std::string names;
-    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-        if (scene.cameras[i].name == job.camera) return i;
-        names += (i > 0 ? ", " : "") + scene.cameras[i].name;
-    }
-    throw UsageError(
-        fmt::format("--camera: the scene has no camera '{}'; it has: {}", job.camera, names));
-}
-
-View view_of(const RenderJob& job, const Scene& scene) {
+View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     View view;
-    view.camera = find_camera(job, scene);
+    view.camera = pick_camera(scene, job.camera, session);
     view.width = job.size ? job.size->width : scene.width;
     view.height = job.size ? job.size->height : scene.height;
     view.crop = job.crop;
@@ -107,9 +96,9 @@ class Rendering {
     void render(double frame, double time, const std::string& output) {
         progress_.clear();  // the script may print
         Scene scene = loader_.load(frame, time);
-        require_camera(scene);
         job_.settings.apply_to(scene.settings);
-        const View view = view_of(job_, scene);
+        const View view = view_of(job_, scene, session_);
+        if (statistics_.frames == 0) session_.terminal.show(missing_parts(scene), session_.sources);
 
         Stopwatch watch;
         const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings);
@@ -155,13 +144,6 @@ class Rendering {
   private:
     static std::size_t frame_count(const RenderJob& job) {
         return job.frames ? static_cast<std::size_t>(job.frames->count()) : 1;
-    }
-
-    void require_camera(const Scene& scene) {
-        if (statistics_.frames > 0 && !scene.cameras.empty()) return;
-        std::vector<Diagnostic> missing = missing_parts(scene);
-        if (scene.cameras.empty()) missing.front().severity = Severity::error;
-        if (session_.terminal.show(missing, session_.sources) > 0) throw SceneRejected();
     }
 
     Stopwatch watch_;

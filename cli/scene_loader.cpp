@@ -108,6 +108,23 @@ void SceneLoader::show_new(std::vector<Diagnostic> found) {
     if (session_.terminal.show(std::move(found), session_.sources) > 0) throw SceneRejected();
 }
 
+std::size_t pick_camera(const Scene& scene, const std::string& name, const Session& session) {
+    if (scene.cameras.empty()) {
+        Diagnostic missing = missing_parts(scene).front();
+        missing.severity = Severity::error;
+        session.terminal.show({missing}, session.sources);
+        throw SceneRejected();
+    }
+    if (name.empty()) return 0;
+    std::string names;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        if (scene.cameras[i].name == name) return i;
+        names += (i > 0 ? ", " : "") + scene.cameras[i].name;
+    }
+    throw UsageError(
+        fmt::format("--camera: the scene has no camera '{}'; it has: {}", name, names));
+}
+
 std::vector<Diagnostic> missing_parts(const Scene& scene) {
     std::vector<Diagnostic> found;
     const auto warn = [&found](const char* message, const char* hint) {

@@ -45,6 +45,10 @@ class SceneLoader {
     double evaluate_seconds_ = 0;
 };
 
+/// The camera of this name, the first for an empty name. Throws UsageError when no camera is called
+/// so; without any camera shows that error and throws SceneRejected.
+std::size_t pick_camera(const Scene& scene, const std::string& name, const Session& session);
+
 /// What is not wrong but seldom meant: no camera, no light.
 std::vector<Diagnostic> missing_parts(const Scene& scene);
 

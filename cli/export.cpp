@@ -1,0 +1,98 @@
+// lancer export
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/scene_loader.h"
+#include "model/io/file.h"
+#include "reference/pov/export.h"
+
+namespace lancer::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportJob {
+    std::string scene;
+    std::string output;
+    std::string camera;
+    std::optional<PictureSize> size;
+    bool quiet = false;
+    SceneOptions scene_options;
+};
+
+/// What POV-Ray does otherwise is no mistake, but nothing to be silent about.
+void show_reservations(const reference::ExportResult& result, const Scene& scene,
+                       const Session& session) {
+    std::vector<Diagnostic> found;
+    for (const reference::Approximation& a : result.approximations)
+        found.push_back({Severity::warning, a.where, a.explanation, "", {}});
+    for (const reference::KnownDifference& d : result.known_differences) {
+        const SourceSpan where =
+            d.objects.empty() ? SourceSpan{} : scene.objects[d.objects.front()].place;
+        found.push_back({Severity::warning,
+                         where,
+                         fmt::format("{} ({})", d.explanation, reference::rule_name(d.rule)),
+                         "",
+                         {}});
+    }
+    session.terminal.show(std::move(found), session.sources);
+}
+
+ExitCode export_scene(const ExportJob& job, Session& session) {
+    const fs::path output(job.output);
+    if (output.extension() != ".pov")
+        throw UsageError(fmt::format("'{}': the name of a POV-Ray scene ends in .pov", job.output));
+
+    SceneLoader loader(job.scene, job.scene_options, session);
+    const Scene scene = loader.load();
+    reference::ExportView view;
+    view.camera = static_cast<std::uint32_t>(pick_camera(scene, job.camera, session));
+    view.width = job.size ? job.size->width : scene.width;
+    view.height = job.size ? job.size->height : scene.height;
+    const reference::ExportResult result =
+        reference::export_pov(scene, view, {.name = output.stem().string()});
+    if (session.terminal.show(result.refusals, session.sources) > 0) return ExitCode::scene;
+
+    if (!job.quiet) show_reservations(result, scene, session);
+    const HoldInterrupts hold;
+    for (const reference::Asset& asset : result.assets)
+        io::write_file((output.parent_path() / asset.name).string(), asset.bytes);
+    io::write_file(job.output, result.text);
+    if (!job.quiet) {
+        fmt::print("wrote {}; render it with\n  povray +I{} +W{} +H{} +FN16 File_Gamma=1.0 -D -A\n",
+                   job.output, job.output, view.width, view.height);
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Action& action) {
+    CLI::App& command = *app.add_subcommand("export", "Write the equivalent POV-Ray scene");
+    const auto job = std::make_shared<ExportJob>();
+    command.add_option("SCENE", job->scene, "Scene file; - reads standard input")
+        ->required()
+        ->type_name("");
+    command.add_option("-o,--output", job->output, "POV-Ray scene; its images are put beside it")
+        ->required()
+        ->type_name("OUT.pov");
+    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--size", [job](const std::string& text) { job->size = parse_size(text); },
+            "Size of the picture in pixels")
+        ->type_name("WxH");
+    command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes");
+    add_scene_options(command, job->scene_options);
+    command.callback([&action, job] {
+        action = [job](Session& session) { return export_scene(*job, session); };
+    });
+}
+
+}  // namespace lancer::cli
