@@ -16,6 +16,9 @@ class Builder {
 
     LoadedMesh build() {
         if (soup_.corners.empty()) throw FileError(fmt::format("{}: there are no faces", name_));
+        if (std::max({soup_.vertices.size(), soup_.normals.size(), soup_.uvs.size()}) >= none) {
+            throw FileError(fmt::format("{}: there are more than 2^32 vertices", name_));
+        }
         loaded_.mesh.faces.reserve(soup_.corners.size() / 3);
         const std::size_t faces =
             soup_.face_ends.empty() ? soup_.corners.size() / 3 : soup_.face_ends.size();

@@ -29,19 +29,18 @@ bool is_tiny(std::string_view number) {
     return std::min(std::max(exponent, -beyond), beyond) + place < 0;
 }
 
-/// What a message quotes: short, and nothing that a terminal would obey.
-std::string quotable(std::string_view text) {
-    std::string shown;
-    for (const char c : text.substr(0, 30)) shown += c > 0x20 && c < 0x7F ? c : '?';
-    return shown + (text.size() > 30 ? "..." : "");
-}
-
 bool is_name_character(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' ||
            c == '_' || c == '+' || c == '-';
 }
 
 }  // namespace
+
+std::string quotable(std::string_view text) {
+    std::string shown;
+    for (const char c : text.substr(0, 30)) shown += c > 0x20 && c < 0x7F ? c : '?';
+    return shown + (text.size() > 30 ? "..." : "");
+}
 
 void TextScanner::skip_line_end() {
     if (at_ == end_) return;

@@ -14,10 +14,12 @@ namespace lancer::io {
 /// the end of a line joins the next line to it.
 class TextScanner {
   public:
-    TextScanner(std::string_view bytes, std::string name, char comment = 0, char continuation = 0)
+    TextScanner(std::string_view bytes, std::string name, char comment = 0, char continuation = 0,
+                std::uint32_t first_line = 1)
         : at_(bytes.data()),
           end_(bytes.data() + bytes.size()),
           name_(std::move(name)),
+          line_(first_line),
           comment_(comment),
           continuation_(continuation) {}
 
@@ -59,9 +61,12 @@ class TextScanner {
     const char* at_;
     const char* end_;
     std::string name_;
-    std::uint32_t line_ = 1;
+    std::uint32_t line_;
     char comment_;
     char continuation_;
 };
+
+/// A piece of a file for a message: short, and nothing in it that a terminal would obey.
+std::string quotable(std::string_view text);
 
 }  // namespace lancer::io

@@ -1,0 +1,267 @@
+#include "model/io/ply_reader.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "model/io/byte_reader.h"
+#include "model/io/ply_header.h"
+#include "model/io/text_scanner.h"
+
+namespace lancer::io {
+namespace {
+
+/// The data of a text file as a stream of numbers.
+class TextData {
+  public:
+    TextData(std::string_view bytes, const std::string& name, const PlyHeader& header)
+        : scanner_(bytes.substr(header.bytes), name, 0, 0, header.lines + 1) {}
+
+    double number(PlyType type) {
+        if (scanner_.at_end()) throw scanner_.error("the file is truncated");
+        // Only a coordinate has to be finite, but nobody writes other values in text.
+        const double value = scanner_.number("a number");
+        if (type < PlyType::float32 && value != std::floor(value)) {
+            throw scanner_.error("a whole number expected");
+        }
+        return value;
+    }
+
+    void skip(PlyType type, std::uint64_t count) {
+        for (std::uint64_t i = 0; i < count; ++i) number(type);
+    }
+
+    /// The least that this many numbers need: a digit and a space each.
+    std::uint64_t most_numbers_left(PlyType) const { return (scanner_.bytes_left() + 1) / 2; }
+    std::uint32_t line() const { return scanner_.line(); }
+    FileError error(const std::string& message) const { return scanner_.error(message); }
+
+  private:
+    TextScanner scanner_;
+};
+
+/// The data of a binary file as a stream of numbers.
+class BinaryData {
+  public:
+    BinaryData(std::string_view bytes, const std::string& name, const PlyHeader& header)
+        : reader_(bytes.substr(header.bytes), name,
+                  header.format == PlyHeader::Format::little_endian ? std::endian::little
+                                                                    : std::endian::big,
+                  header.bytes) {}
+
+    double number(PlyType type) {
+        switch (type) {
+            case PlyType::int8:
+                return reader_.read<std::int8_t>();
+            case PlyType::uint8:
+                return reader_.read<std::uint8_t>();
+            case PlyType::int16:
+                return reader_.read<std::int16_t>();
+            case PlyType::uint16:
+                return reader_.read<std::uint16_t>();
+            case PlyType::int32:
+                return reader_.read<std::int32_t>();
+            case PlyType::uint32:
+                return reader_.read<std::uint32_t>();
+            case PlyType::float32:
+                return static_cast<double>(reader_.read<float>());
+            case PlyType::float64:
+                return reader_.read<double>();
+        }
+        return 0;
+    }
+
+    void skip(PlyType type, std::uint64_t count) {
+        if (count > most_numbers_left(type)) throw error("the file is truncated");
+        reader_.skip(count * size_of(type));
+    }
+
+    std::uint64_t most_numbers_left(PlyType type) const {
+        return reader_.bytes_left() / size_of(type);
+    }
+    FileError error(const std::string& message) const { return reader_.error(message); }
+
+  private:
+    ByteReader reader_;
+};
+
+/// Where a property of a vertex goes.
+enum class Target { skipped, x, y, z, nx, ny, nz, u, v };
+constexpr std::size_t target_count = 9;
+
+Target target_of(const PlyProperty& property) {
+    constexpr std::array<std::pair<std::string_view, Target>, 14> names{{
+        {"x", Target::x},
+        {"y", Target::y},
+        {"z", Target::z},
+        {"nx", Target::nx},
+        {"ny", Target::ny},
+        {"nz", Target::nz},
+        {"s", Target::u},
+        {"t", Target::v},
+        {"u", Target::u},
+        {"v", Target::v},
+        {"texture_u", Target::u},
+        {"texture_v", Target::v},
+        {"texture_s", Target::u},
+        {"texture_t", Target::v},
+    }};
+    if (property.is_list) return Target::skipped;
+    for (const auto& [name, target] : names) {
+        if (property.name == name) return target;
+    }
+    return Target::skipped;
+}
+
+template <class Data>
+class PlyReader {
+  public:
+    PlyReader(Data data, const std::string& name) : data_(std::move(data)), name_(name) {}
+
+    PolygonSoup read(const PlyHeader& header) {
+        bool has_vertices = false;
+        bool has_faces = false;
+        for (const PlyElement& element : header.elements) {
+            check_count(element);
+            if (element.name == "vertex" && !has_vertices) {
+                vertices(element);
+                has_vertices = true;
+            } else if (element.name == "face" && !has_faces) {
+                faces(element);
+                has_faces = true;
+            } else {
+                for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+                    for (const PlyProperty& property : element.properties) skip(property);
+                }
+            }
+        }
+        if (!has_vertices) throw FileError(fmt::format("{}: there are no vertices", name_));
+        return std::move(soup_);
+    }
+
+  private:
+    /// No memory is taken, and no time, for more elements than the file can hold.
+    void check_count(const PlyElement& element) const {
+        for (const PlyProperty& property : element.properties) {
+            const PlyType type = property.is_list ? property.count_type : property.type;
+            if (element.count > data_.most_numbers_left(type)) {
+                throw data_.error(
+                    fmt::format("the file is truncated: it cannot hold {} elements "
+                                "'{}'",
+                                element.count, quotable(element.name)));
+            }
+        }
+        if (element.count >= none) {
+            throw data_.error(fmt::format("{} elements '{}' are too many", element.count,
+                                          quotable(element.name)));
+        }
+    }
+
+    void vertices(const PlyElement& element) {
+        std::array<bool, target_count> given{};
+        std::vector<Target> targets;
+        for (const PlyProperty& property : element.properties) {
+            targets.push_back(target_of(property));
+            given[static_cast<std::size_t>(targets.back())] = true;
+        }
+        const auto has = [&](Target target) { return given[static_cast<std::size_t>(target)]; };
+        if (!has(Target::x) || !has(Target::y) || !has(Target::z)) {
+            throw FileError(fmt::format("{}: the vertices lack x, y or z", name_));
+        }
+        const bool normals = has(Target::nx) && has(Target::ny) && has(Target::nz);
+        const bool uvs = has(Target::u) && has(Target::v);
+        soup_.vertices.reserve(element.count);
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            std::array<double, target_count> values{};
+            for (std::size_t k = 0; k < targets.size(); ++k) {
+                const PlyProperty& property = element.properties[k];
+                if (targets[k] == Target::skipped) {
+                    skip(property);
+                } else {
+                    const double value = data_.number(property.type);
+                    if (!std::isfinite(value)) {
+                        throw data_.error(
+                            fmt::format("'{}' of vertex {} is not finite", property.name, i));
+                    }
+                    values[static_cast<std::size_t>(targets[k])] = value;
+                }
+            }
+            const auto value = [&](Target target) {
+                return values[static_cast<std::size_t>(target)];
+            };
+            soup_.vertices.emplace_back(value(Target::x), value(Target::y), value(Target::z));
+            if (normals) {
+                soup_.normals.emplace_back(value(Target::nx), value(Target::ny), value(Target::nz));
+            }
+            if (uvs) soup_.uvs.emplace_back(value(Target::u), value(Target::v));
+        }
+    }
+
+    void faces(const PlyElement& element) {
+        const auto is_corners = [](const PlyProperty& property) {
+            return property.is_list &&
+                   (property.name == "vertex_indices" || property.name == "vertex_index");
+        };
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            bool read = false;
+            for (const PlyProperty& property : element.properties) {
+                if (is_corners(property) && !read) {
+                    corners(property, i);
+                    read = true;
+                } else {
+                    skip(property);
+                }
+            }
+            if (!read) {
+                throw FileError(fmt::format("{}: the faces have no vertex_indices", name_));
+            }
+        }
+    }
+
+    void corners(const PlyProperty& property, std::uint64_t face) {
+        const std::uint64_t count = length(property);
+        if (count < 3) {
+            throw data_.error(fmt::format("face {} has {} corners, not at least 3", face, count));
+        }
+        if constexpr (requires { data_.line(); }) soup_.face_lines.push_back(data_.line());
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const double index = data_.number(property.type);
+            if (!(index >= 0 && index < none) || index != std::floor(index)) {
+                throw data_.error(
+                    fmt::format("a vertex index of face {} is out of range: {}", face, index));
+            }
+            soup_.corners.push_back(static_cast<std::uint32_t>(index));
+        }
+        soup_.face_ends.push_back(soup_.corners.size());
+    }
+
+    void skip(const PlyProperty& property) {
+        data_.skip(property.type, property.is_list ? length(property) : 1);
+    }
+
+    std::uint64_t length(const PlyProperty& property) {
+        const double count = data_.number(property.count_type);
+        if (!(count >= 0)) throw data_.error("the length of a list is negative");
+        if (count > static_cast<double>(data_.most_numbers_left(property.type))) {
+            throw data_.error("the file is truncated");
+        }
+        return static_cast<std::uint64_t>(count);
+    }
+
+    Data data_;
+    const std::string& name_;
+    PolygonSoup soup_;
+};
+
+}  // namespace
+
+PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
+    const PlyHeader header = read_ply_header(bytes, name);
+    if (header.format == PlyHeader::Format::ascii) {
+        return PlyReader(TextData(bytes, name, header), name).read(header);
+    }
+    return PlyReader(BinaryData(bytes, name, header), name).read(header);
+}
+
+}  // namespace lancer::io
