@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reference/pov/pigments.h"
+#include "reference/pov/window.h"
 
 namespace lancer::reference::pov {
 
@@ -49,7 +50,7 @@ void write_finish(Writer& writer, const Material& material) {
                           number(material.blinn), number(material.roughness),
                           number(material.metallic)));
     // conserve_energy takes from what passes what fresnel mirrors, and touches nothing else.
-    text.line(reflection(material) + (material.fresnel ? " conserve_energy on" : ""));
+    text.line(reflection(material) + (material.fresnel ? " conserve_energy" : ""));
     text.close();
 }
 
@@ -59,39 +60,51 @@ void write_own_texture(Writer& writer, const Material& material, const Object& o
     write_finish(writer, material);
 }
 
+/// A plain texture is the same at every size; a pattern is declared for each size that shows it.
+std::pair<std::uint32_t, int> texture_key(const Scene& scene, const Object& object,
+                                          PowerOfTen own) {
+    const bool patterned = texture_of(scene, scene.materials[object.material]) != nullptr;
+    return {object.material, patterned ? own.exponent : 0};
+}
+
+std::string texture_name(const Writer& writer, std::uint32_t material, int exponent) {
+    const std::vector<std::string>& names = writer.scene.material_names;
+    const std::string given = material < names.size() ? identifier(names[material]) : "";
+    std::string name = fmt::format("T{}_{}", material, given.empty() ? "plain" : given);
+    if (exponent != 0 && exponent != writer.window.exponent)
+        name += fmt::format("_{}{}", exponent < 0 ? "m" : "p", std::abs(exponent));
+    return name;
+}
+
 }  // namespace
 
 void declare_textures(Writer& writer) {
     const Scene& scene = writer.scene;
-    std::vector<const Object*> shown_by(scene.materials.size());  // the first that does
-    for (const Object& object : scene.objects)
-        if (!shown_by[object.material]) shown_by[object.material] = &object;
-    for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
-        const Material& material = scene.materials[i];
-        if (!shown_by[i] || depends_on_shape(scene, material)) continue;
-        const std::string given = i < scene.material_names.size() ? scene.material_names[i] : "";
-        const std::string name =
-            fmt::format("T{}_{}", i, given.empty() ? "plain" : identifier(given));
+    std::map<std::pair<std::uint32_t, int>, const Object*> shown_by;  // the first that does
+    for (const Object& object : scene.objects) {
+        if (depends_on_shape(scene, scene.materials[object.material])) continue;
+        const ObjectSpace space = object_space(scene.transforms[object.transform], writer.window);
+        shown_by.emplace(texture_key(scene, object, space.own), &object);
+    }
+    for (const auto& [key, object] : shown_by) {
+        const auto& [material, exponent] = key;
+        const std::string name = texture_name(writer, material, exponent);
         writer.text.open("#declare " + name + " = texture {");
-        write_own_texture(writer, material, *shown_by[i], writer.window);
+        write_own_texture(writer, scene.materials[material], *object, {exponent});
         writer.text.close();
-        writer.texture_names.emplace(i, name);
+        writer.texture_names.emplace(key, name);
     }
 }
 
 void write_texture(Writer& writer, const Object& object, PowerOfTen own) {
-    const Material& material = writer.scene.materials[object.material];
-    const auto declared = writer.texture_names.find(object.material);
-    if (declared == writer.texture_names.end()) {
-        writer.text.open("texture {");
-        write_own_texture(writer, material, object, own);
-        writer.text.close();
+    const auto declared = writer.texture_names.find(texture_key(writer.scene, object, own));
+    if (declared != writer.texture_names.end()) {
+        writer.text.line("texture { " + declared->second + " }");
         return;
     }
-    const PowerOfTen rest{own.exponent - writer.window.exponent};
-    const bool patterned = texture_of(writer.scene, material) && rest.exponent != 0;
-    writer.text.line("texture { " + declared->second +
-                     (patterned ? " scale " + number(rest.factor()) : "") + " }");
+    writer.text.open("texture {");
+    write_own_texture(writer, writer.scene.materials[object.material], object, own);
+    writer.text.close();
 }
 
 void write_interior(Writer& writer, const Material& material, bool body) {

@@ -13,7 +13,9 @@ namespace {
 using Segment = std::array<Vec2d, 4>;  // of a cubic Bezier curve
 
 /// Four neighbours of a uniform cubic B-spline; de Boor, "A Practical Guide to Splines", X.
-Segment bezier_of_bspline(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
+template <class Point>
+std::array<Point, 4> bezier_of_bspline(const Point& a, const Point& b, const Point& c,
+                                       const Point& d) {
     return {(a + 4.0 * b + c) / 6.0, (2.0 * b + c) / 3.0, (b + 2.0 * c) / 3.0,
             (b + 4.0 * c + d) / 6.0};
 }
@@ -101,9 +103,115 @@ bool open_prism(Writer& writer, const Prism& prism, PowerOfTen own) {
     return true;
 }
 
-bool open_patch(Writer& writer, const Object& object, const Patch&, PowerOfTen) {
-    writer.refuse(object.place, "patches are not exported yet");
-    return false;
+namespace {
+
+using Net = std::array<std::array<Vec3d, 4>, 4>;  // of a bicubic Bezier patch, row by row
+
+/// The Bezier patch of the 4 x 4 control points from (row, column) on.
+Net bezier_net(const Patch& patch, std::size_t row, std::size_t column, PowerOfTen own) {
+    Net net;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            net[i][j] = own(patch.control[(row + i) * patch.columns + column + j]);
+    if (patch.basis == Patch::Basis::bezier) return net;
+    for (auto& r : net) r = bezier_of_bspline(r[0], r[1], r[2], r[3]);
+    for (std::size_t j = 0; j < 4; ++j) {
+        const auto c = bezier_of_bspline(net[0][j], net[1][j], net[2][j], net[3][j]);
+        for (std::size_t i = 0; i < 4; ++i) net[i][j] = c[i];
+    }
+    return net;
+}
+
+/// Bounds the distance of the surface from the two triangles over its corners: an eighth of the
+/// second derivatives |uu| + 2|uv| + |vv| (Filip, Magedson, Markot 1986), these being 6, 9 and 6
+/// times the largest difference of the control points.
+double bending(const Net& net) {
+    double most = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+            if (j < 2)
+                most = std::max(most, length(net[i][j] - 2.0 * net[i][j + 1] + net[i][j + 2]));
+            if (i < 2)
+                most = std::max(most, length(net[i][j] - 2.0 * net[i + 1][j] + net[i + 2][j]));
+            if (i < 3 && j < 3)
+                most = std::max(
+                    most, length(net[i][j] - net[i][j + 1] - net[i + 1][j] + net[i + 1][j + 1]));
+        }
+    return most * (6 + 18 + 6) / 8;
+}
+
+double extent(const Net& net) {
+    Bounds bounds;
+    for (const auto& row : net)
+        for (const Vec3d& p : row) bounds.add(p);
+    return bounds.diagonal();
+}
+
+/// Halvings until triangles are within 1e-6 of the patch's size, by the bound of Filip, Magedson
+/// and Markot (1986), as far as the triangles of all patches fit into about 250 MB of POV-Ray's
+/// memory.
+int halvings(const Scene& scene, double bend, double size) {
+    std::size_t patches = 0;
+    for (const Object& object : scene.objects)
+        if (const auto* shape = std::get_if<PatchRef>(&object.shape)) {
+            const Patch& p = scene.patches[shape->patch];
+            patches += (p.rows - 3) * (p.columns - 3);
+        }
+    int steps = 3;
+    for (double error = bend / 64; error > 1e-6 * size && steps < 9; error /= 4) ++steps;
+    while (steps > 3 && (patches << (2 * steps)) > (std::size_t(1) << 20)) --steps;
+    return steps;
+}
+
+std::string uv_corners(const Patch& patch, std::size_t row, std::size_t column) {
+    const auto part = [](std::size_t i, std::uint32_t count) {
+        return static_cast<double>(i) / static_cast<double>(count - 3);
+    };
+    const double u0 = part(column, patch.columns), u1 = part(column + 1, patch.columns);
+    const double v0 = part(row, patch.rows), v1 = part(row + 1, patch.rows);
+    return "uv_vectors " + vector(Vec2d(u0, v0)) + ", " + vector(Vec2d(u1, v0)) + ", " +
+           vector(Vec2d(u1, v1)) + ", " + vector(Vec2d(u0, v1));
+}
+
+void open_bezier(Text& text, const Net& net, int steps, const std::string& uvs) {
+    text.open(fmt::format("bicubic_patch {{ type 1 flatness 0 u_steps {0} v_steps {0}", steps));
+    text.line(uvs);
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::string line;
+        for (std::size_t j = 0; j < 4; ++j)
+            line += vector(net[i][j]) + (i == 3 && j == 3 ? "" : ", ");
+        text.line(line);
+    }
+}
+
+}  // namespace
+
+bool open_patch(Writer& writer, const Object& object, const Patch& patch, PowerOfTen own) {
+    std::vector<Net> nets;
+    double bend = 0;
+    double size = 0;
+    const std::size_t across = patch.columns - 3;
+    for (std::size_t i = 0; i + 3 < patch.rows; ++i)
+        for (std::size_t j = 0; j < across; ++j) {
+            nets.push_back(bezier_net(patch, i, j, own));
+            bend = std::max(bend, bending(nets.back()));
+            size = std::max(size, extent(nets.back()));
+        }
+    // The same for all patches of a net, or their common edges would gape.
+    const int steps = halvings(writer.scene, bend, size);
+    writer.approximate(
+        object.place,
+        fmt::format("patch as {0} x {0} x 2 triangles per bicubic patch", std::size_t(1) << steps));
+    if (nets.size() == 1) {
+        open_bezier(writer.text, nets[0], steps, uv_corners(patch, 0, 0));
+        return true;
+    }
+    writer.text.open("union {");
+    for (std::size_t k = 0; k < nets.size(); ++k) {
+        open_bezier(writer.text, nets[k], steps, uv_corners(patch, k / across, k % across));
+        writer.text.close();
+    }
+    return true;
 }
 
 }  // namespace lancer::reference::pov

@@ -18,8 +18,8 @@ struct Writer {
     PowerOfTen window;
     Text text;
 
-    std::map<std::uint32_t, std::string> image_words;    ///< by index: `png "a.png" gamma srgb`
-    std::map<std::uint32_t, std::string> texture_names;  ///< declared textures by material
+    std::map<std::uint32_t, std::string> image_words;  ///< by index: `png "a.png" gamma srgb`
+    std::map<std::pair<std::uint32_t, int>, std::string> texture_names;  ///< by material and space
     std::map<std::pair<std::uint32_t, int>, std::string>
         mesh_names;  ///< by mesh, space and normals
 
