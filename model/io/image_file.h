@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "model/image.h"
 
@@ -15,16 +16,21 @@ struct ImageWriteOptions {
 /// True when `path` ends in a format that can be written: png exr hdr tif tiff jpg jpeg ppm.
 bool is_writable_image_name(const std::string& path);
 
-/// Writes `image` atomically. Throws FileError.
+/// Writes `image` atomically, in the format of the ending. EXR: 32-bit float with all channels,
+/// colours multiplied by alpha as is usual there. HDR and JPEG (8 bits): without alpha. Extra
+/// channels are left out but in EXR. NaN becomes 0 and what a format cannot hold its nearest value;
+/// EXR keeps both as they are. The same picture gives the same bytes. Throws FileError.
 void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options);
 
 enum class ColorSpace {
-    automatic,  ///< 8-bit whole numbers and 16-bit PNG are sRGB unless the file says otherwise;
-                ///< floats are linear
+    automatic,  ///< whole numbers are sRGB unless the file says otherwise; floats are linear
     linear,     ///< take the numbers as they stand
 };
 
-/// Reads an image into linear light with 1 to 4 (or more, EXR) channels. Throws FileError.
+/// Reads an image into linear light: 1 channel (grey), 3 (RGB) or 4 (with alpha), and extra ones by
+/// name (EXR). Its first bytes tell the format, whatever its name. Throws FileError when it cannot
+/// be read, is truncated or damaged, is no image, or is too
+/// large: more than 2^27 pixels, or 2^17 on a side.
 Image read_image(const std::string& path, ColorSpace space = ColorSpace::automatic);
 
 }  // namespace lancer::io

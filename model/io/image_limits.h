@@ -10,6 +10,7 @@ namespace lancer::io {
 
 /// 2^27: 16384 x 8192. In double, RGB, that is 3.2 GB.
 inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 27;
+inline constexpr std::uint64_t longest_side = std::uint64_t{1} << 17;
 inline constexpr int most_channels = 64;
 
 /// Why a picture of this size is not read; empty when it is fine.
@@ -18,7 +19,11 @@ inline std::string size_problem(std::uint64_t width, std::uint64_t height, int c
     if (channels > most_channels) {
         return fmt::format("{} channels are more than the {} allowed", channels, most_channels);
     }
-    if (width > most_pixels || height > most_pixels || width * height > most_pixels) {
+    if (width > longest_side || height > longest_side) {
+        return fmt::format("{} x {} pixels: a side is longer than the {} allowed", width, height,
+                           longest_side);
+    }
+    if (width * height > most_pixels) {
         return fmt::format("{} x {} pixels are more than the {} allowed", width, height,
                            most_pixels);
     }
