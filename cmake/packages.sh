@@ -6,10 +6,10 @@ packages_to_build=(
     cmake ninja-build g++
     libglm-dev tao-pegtl-dev libfmt-dev libpng-dev libsleef-dev
     libopenimageio-dev openimageio-tools libtinyobjloader-dev
-    nlohmann-json3-dev libcli11-dev
+    nlohmann-json3-dev libcli11-dev libboost-dev
 )
 packages_to_test=(
-    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libboost-dev libmpfr-dev
+    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev
     povray clang-format-14
 )
 packages_to_test_all=(

@@ -89,7 +89,9 @@ class Collector {
             found_.add(Feature::reflection, demand);
             if (m.fresnel) found_.add(Feature::fresnel, demand);
         }
-        if (lets_light_through(scene_, m, settings_.textures)) add_transparent(object, m, demand);
+        const bool transparent = lets_light_through(scene_, m, settings_.textures);
+        if (transparent) add_transparent(object, m, demand);
+        add_inside(object, m, transparent, demand);
     }
 
     void add_transparent(const Object& object, const Material& m, const Demand& demand) {
@@ -98,13 +100,17 @@ class Collector {
         if (object.casts_shadow && settings_.shadows) {
             if (!first_filter_) first_filter_ = demand;
         }
-        // Whether a mesh is closed takes a while to find out, so it is asked only when it matters.
-        const bool bends = m.ior != 1;
+    }
+
+    /// What the inside of a body does to the rays in it. An opaque body can be lived in as well.
+    void add_inside(const Object& object, const Material& m, bool transparent,
+                    const Demand& demand) {
+        const bool bends = transparent && m.ior != 1;
         const bool absorbs = max_component(m.absorption) > 0;
-        if (found_.needs(Feature::media) && (!bends || found_.needs(Feature::refraction)) &&
-            (!absorbs || found_.needs(Feature::absorption)))
-            return;
-        if (!is_body(scene_, object.shape)) return;
+        const bool news = (bends && !found_.needs(Feature::refraction)) ||
+                          (absorbs && !found_.needs(Feature::absorption));
+        // Whether a mesh is closed takes a while to find out, so it is asked only when it matters.
+        if (!news || !is_body(scene_, object.shape)) return;
         found_.add(Feature::media, demand);
         if (bends) found_.add(Feature::refraction, demand);
         if (absorbs) found_.add(Feature::absorption, demand);

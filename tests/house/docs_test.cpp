@@ -1,0 +1,99 @@
+// What the pages say about the sources is still so.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = LANCER_SOURCE_DIR;
+
+std::string read_text(const fs::path& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> pages() {
+    std::vector<fs::path> found{root / "README.md"};
+    for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
+        if (entry.path().extension() == ".md") found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
+    const std::regex regex(pattern);
+    std::vector<std::string> found;
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), regex);
+         match != std::sregex_iterator(); ++match)
+        found.push_back((*match)[1].str());
+    return found;
+}
+
+TEST(Docs, LinksLeadSomewhere) {
+    std::vector<std::string> broken;
+    std::size_t seen = 0;
+    for (const fs::path& page : pages()) {
+        for (std::string link : all_matches(read_text(page), R"re(\]\(([^)\s]+)\))re")) {
+            if (link.starts_with("http")) continue;
+            ++seen;
+            link = link.substr(0, link.find('#'));
+            if (!link.empty() && !fs::exists(page.parent_path() / link))
+                broken.push_back(fs::relative(page, root).string() + ": " + link);
+        }
+    }
+    EXPECT_GT(seen, 2u);
+    EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+TEST(Docs, FilesThatPagesNameExist) {
+    const std::string source =
+        R"re(`((?:model|parser|tracer|reference|cli|tests|cmake)/[\w/]+\.(?:h|cpp|sh|cmake))`)re";
+    std::vector<std::string> missing;
+    for (const fs::path& page : pages()) {
+        for (const std::string& name : all_matches(read_text(page), source)) {
+            if (!fs::exists(root / name))
+                missing.push_back(fs::relative(page, root).string() + ": " + name);
+        }
+    }
+    EXPECT_THAT(missing, testing::IsEmpty());
+}
+
+/// Every `name` in the second column of docs/lineage.md stands in one of the files named beside it.
+TEST(Docs, NamesInTheLineageStandInTheirFiles) {
+    std::vector<std::string> missing;
+    std::size_t rows = 0;
+    std::ifstream page(root / "docs" / "lineage.md");
+    for (std::string line; std::getline(page, line);) {
+        if (!line.starts_with("| ") || line.starts_with("| In the course")) continue;
+        ++rows;
+        const std::size_t first = line.find(" | ") + 3;
+        const std::string here = line.substr(first, line.find(" | ", first) - first);
+        std::string files;
+        std::vector<std::string> names;
+        for (const std::string& token : all_matches(here, "`([^`]+)`")) {
+            if (token.find('/') != std::string::npos) {
+                files += read_text(root / token);
+            } else {
+                names.push_back(token);
+            }
+        }
+        for (const std::string& name : names) {
+            if (!std::regex_search(files, std::regex("\\b" + name + "\\b")))
+                missing.push_back(name);
+        }
+    }
+    EXPECT_GT(rows, 20u);
+    EXPECT_THAT(missing, testing::IsEmpty());
+}
+
+}  // namespace
