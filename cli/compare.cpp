@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -13,6 +14,8 @@
 #include "model/io/image_file.h"
 #include "reference/compare/comparison_text.h"
 #include "reference/compare/heat_map.h"
+#include "reference/report/entry_html.h"
+#include "reference/report/folders.h"
 
 namespace lancer::cli {
 namespace {
@@ -22,6 +25,7 @@ struct CompareJob {
     std::string b;
     std::string heat_map;
     std::string json;
+    std::string report;
     std::optional<double> fail;
     std::optional<double> fail_percent;
     bool quiet = false;
@@ -32,16 +36,45 @@ void write_heat_map(const CompareJob& job, const Image& a, const Image& b) {
                     {});
 }
 
+reference::CompareOptions options_of(const CompareJob& job) {
+    reference::CompareOptions options;
+    options.fail = job.fail.value_or(options.fail);
+    options.fail_percent = job.fail_percent.value_or(options.fail_percent);
+    return options;
+}
+
+ExitCode compare_folders(const CompareJob& job) {
+    if (!job.heat_map.empty() || !job.json.empty())
+        throw UsageError("-o and --json are for two pictures; two folders take --report DIR");
+    const auto show = [&job](const reference::ReportEntry& entry) {
+        if (job.quiet) return;
+        fmt::print("{}  {}{}{}\n", entry.name, reference::verdict_name(entry.verdict),
+                   entry.reasons.empty() ? "" : ": ",
+                   entry.reasons.empty() ? "" : entry.reasons.front());
+    };
+    const reference::FolderComparison result =
+        reference::compare_folders(job.a, job.b, options_of(job), show);
+    if (!job.report.empty()) {
+        const HoldInterrupts hold;
+        reference::write_report(result.report, job.report);
+        if (!job.quiet) fmt::print("wrote {}/index.html\n", job.report);
+    }
+    if (result.unreadable > 0) return ExitCode::files;
+    return result.pass ? ExitCode::done : ExitCode::differs;
+}
+
 ExitCode compare(const CompareJob& job) {
+    std::error_code ignored;
+    const bool is_folder = std::filesystem::is_directory(job.a, ignored);
+    if (is_folder && std::filesystem::is_directory(job.b, ignored)) return compare_folders(job);
+    if (!job.report.empty()) throw UsageError("--report takes two folders of pictures");
     if (!job.heat_map.empty() && !io::is_writable_image_name(job.heat_map)) {
         throw UsageError(
             fmt::format("'{}' does not end in the name of an image format, as .png", job.heat_map));
     }
     const Image a = io::read_image(job.a);
     const Image b = io::read_image(job.b);
-    reference::CompareOptions options;
-    options.fail = job.fail.value_or(options.fail);
-    options.fail_percent = job.fail_percent.value_or(options.fail_percent);
+    const reference::CompareOptions options = options_of(job);
     const reference::Comparison comparison = reference::compare_images(a, b, options);
 
     const HoldInterrupts hold;
@@ -57,8 +90,10 @@ void add_compare(CLI::App& app, Action& action) {
     CLI::App& command =
         *app.add_subcommand("compare", "Measure how far apart two pictures are, in linear light");
     const auto job = std::make_shared<CompareJob>();
-    command.add_option("A", job->a, "A picture")->required()->type_name("");
-    command.add_option("B", job->b, "The other picture")->required()->type_name("");
+    command.add_option("A", job->a, "A picture, or a folder of pictures")
+        ->required()
+        ->type_name("");
+    command.add_option("B", job->b, "The other one")->required()->type_name("");
     command.add_option("-o,--output", job->heat_map, "Write the differences as a heat map")
         ->type_name("HEAT.png");
     add_number(command, "--fail", job->fail, 0, std::numeric_limits<double>::max(),
@@ -68,6 +103,8 @@ void add_compare(CLI::App& app, Action& action) {
                "More than P percent of the pixels over: the pictures differ (default 0)")
         ->type_name("P");
     command.add_option("--json", job->json, "Write the measures as JSON")->type_name("FILE");
+    command.add_option("--report", job->report, "Two folders: write DIR/index.html, to look at")
+        ->type_name("DIR");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
     command.callback([&action, job] { action = [job](Session&) { return compare(*job); }; });
 }

@@ -1,0 +1,32 @@
+#include "cli/our_renderer.h"
+
+#include <memory>
+
+#include "cli/stopwatch.h"
+#include "tracer/render.h"
+
+namespace lancer::cli {
+
+reference::OurPicture render_ours(const Scene& scene, const reference::ExportView& exported) {
+    View view;
+    view.camera = exported.camera;
+    view.width = exported.width;
+    view.height = exported.height;
+    Settings settings = scene.settings;
+    settings.threads = 1;  // whole scenes run side by side
+
+    const Stopwatch watch;
+    const std::shared_ptr<const Renderer> renderer = compile(scene, settings);
+    RayCounts rays;
+    reference::OurPicture picture;
+    picture.image = renderer->render(view, {}, rays);
+    picture.seconds = watch.seconds();
+    picture.probe = [renderer, view](double x, double y) {
+        const Probe probe = renderer->probe(view, x, y);
+        return reference::ProbeSample{probe.color,  probe.object, probe.depth,
+                                      probe.normal, probe.lit,    probe.path};
+    };
+    return picture;
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,223 @@
+// lancer validate
+#include "reference/validate/validate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/our_renderer.h"
+#include "cli/scene_loader.h"
+#include "model/io/file.h"
+#include "reference/validate/validation_text.h"
+
+namespace lancer::cli {
+namespace {
+
+using reference::Validation;
+using reference::ValidationJob;
+
+struct ValidateJob {
+    std::vector<std::string> scenes;
+    std::string report;
+    std::string json;
+    std::string camera;
+    std::optional<PictureSize> size;
+    std::optional<std::int64_t> jobs;
+    std::optional<double> time_limit;
+    bool no_cache = false;
+    bool quiet = false;
+    SceneOptions scene_options;
+};
+
+/// 320 pixels wide unless the command line says otherwise, in the scene's own proportions.
+PictureSize size_of(const ValidateJob& job, const Scene& scene) {
+    if (job.size) return *job.size;
+    constexpr int width = 320;
+    const double height = std::round(width * static_cast<double>(scene.height) / scene.width);
+    return {width, static_cast<int>(std::clamp(height, 1.0, 4096.0))};
+}
+
+ValidationJob load(const std::string& path, const ValidateJob& job, Session& session) {
+    SceneLoader loader(path, job.scene_options, session);
+    auto scene = std::make_shared<Scene>(loader.load());
+    reference::prepare_for_validation(*scene);
+    ValidationJob result;
+    result.name = path == "-" ? "scene" : std::filesystem::path(path).stem().string();
+    result.path = path;
+    const PictureSize size = size_of(job, *scene);
+    result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job.camera, session)), size.width,
+                   size.height};
+    if (path != "-") result.expect = reference::read_expectations(path);
+    result.scene = std::move(scene);
+    return result;
+}
+
+/// Two scenes of one name would share a line in the report: the folder's name is put before it.
+void tell_apart(std::vector<ValidationJob>& jobs) {
+    std::map<std::string, int> uses;
+    for (const ValidationJob& job : jobs) ++uses[job.name];
+    for (ValidationJob& job : jobs) {
+        if (uses[job.name] < 2) continue;
+        const std::string folder =
+            std::filesystem::path(job.path).parent_path().filename().string();
+        if (!folder.empty()) job.name = folder + "-" + job.name;
+    }
+}
+
+/// Validates all jobs, as many at once as `workers` says; prints each line in the order of the jobs
+/// as soon as it is known, and collects the report's entries.
+class Validations {
+  public:
+    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs)
+        : options_(options), jobs_(std::move(jobs)), povray_(reference::find_povray()) {
+        for (const ValidationJob& job : jobs_) name_width_ = std::max(name_width_, job.name.size());
+        pov_options_.cache = options.no_cache ? std::string() : reference::cache_folder();
+        pov_options_.time_limit = options.time_limit.value_or(pov_options_.time_limit);
+        report_ = reference::validation_report(povray_, LANCER_VERSION);
+    }
+
+    void run() {
+        results_.resize(jobs_.size());
+        done_.resize(jobs_.size());
+        report_.entries.resize(jobs_.size());
+        if (!options_.quiet) fmt::print("{}", reference::table_head(name_width_));
+        // POV-Ray sleeps while it starts, so that twice as many as there are cores keep them busy.
+        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+        const auto workers = static_cast<std::size_t>(options_.jobs.value_or(2 * cores));
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 1; i < std::min(workers, jobs_.size()); ++i) {
+            threads.emplace_back([this] { work(); });
+        }
+        work();
+    }
+
+    ExitCode finish() {
+        const HoldInterrupts hold;
+        if (!options_.json.empty()) {
+            io::write_file(options_.json, reference::validations_to_json(results_, povray_));
+        }
+        if (!options_.report.empty()) {
+            reference::write_report(report_, options_.report);
+            if (!options_.quiet) fmt::print("wrote {}/index.html\n", options_.report);
+        }
+        ExitCode worst = ExitCode::done;
+        for (const Validation& v : results_) {
+            if (v.verdict == reference::Verdict::differs)
+                worst = std::max(worst, ExitCode::differs);
+            if (v.verdict == reference::Verdict::failed) worst = std::max(worst, exit_code_of(v));
+        }
+        return worst;
+    }
+
+  private:
+    /// A refusal that nobody expected is the scene's, all else POV-Ray's.
+    static ExitCode exit_code_of(const Validation& v) {
+        return v.refusals.empty() ? ExitCode::files : ExitCode::differs;
+    }
+
+    void work() {
+        for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
+            Validation result =
+                reference::validate_scene(jobs_[i], render_ours, povray_, pov_options_);
+            if (!options_.report.empty()) {
+                // Three pictures a scene, a third more as text: 10 MB hold 50 scenes and more.
+                const std::size_t bytes =
+                    std::clamp<std::size_t>(1'900'000 / jobs_.size(), 8'000, 400'000);
+                report_.entries[i] = reference::report_entry(result, bytes);
+            }
+            result.ours = {};
+            result.theirs = {};
+            const std::lock_guard lock(mutex_);
+            results_[i] = std::move(result);
+            done_[i] = true;
+            show_lines();
+        }
+    }
+
+    void show_lines() {
+        for (; shown_ < jobs_.size() && done_[shown_]; ++shown_) {
+            if (!options_.quiet)
+                fmt::print("{}", reference::table_row(results_[shown_], name_width_));
+        }
+        std::fflush(stdout);
+    }
+
+    const ValidateJob& options_;
+    std::vector<ValidationJob> jobs_;
+    reference::PovRay povray_;
+    reference::PovOptions pov_options_;
+    std::size_t name_width_ = 5;
+    std::atomic<std::size_t> next_ = 0;
+    std::mutex mutex_;
+    std::vector<Validation> results_;
+    std::vector<bool> done_;
+    std::size_t shown_ = 0;
+    reference::Report report_;
+};
+
+ExitCode validate(const ValidateJob& job, Session& session) {
+    // Scenes that cannot be read do not keep the others from their answer.
+    ExitCode worst = ExitCode::done;
+    std::vector<ValidationJob> jobs;
+    for (const std::string& path : job.scenes) {
+        try {
+            jobs.push_back(load(path, job, session));
+        } catch (const SceneRejected&) {
+            worst = std::max(worst, ExitCode::scene);
+        } catch (const FileError& error) {
+            session.terminal.error(error.what());
+            worst = std::max(worst, ExitCode::files);
+        }
+    }
+    if (jobs.empty()) return worst;
+    tell_apart(jobs);
+    Validations validations(job, std::move(jobs));
+    validations.run();
+    return std::max(worst, validations.finish());
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Action& action) {
+    CLI::App& command = *app.add_subcommand(
+        "validate", "Render scenes, have POV-Ray render them too, and judge the differences");
+    const auto job = std::make_shared<ValidateJob>();
+    command
+        .add_option("SCENE", job->scenes,
+                    "Scene files; NAME.expect beside one holds its thresholds")
+        ->required()
+        ->type_name("");
+    command.add_option("--report", job->report, "Write DIR/index.html, to look at")
+        ->type_name("DIR");
+    command.add_option("--json", job->json, "Write the results as JSON")->type_name("FILE");
+    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--size", [job](const std::string& text) { job->size = parse_size(text); },
+            "Size of the pictures; 320 pixels wide by default, in the scene's proportions")
+        ->type_name("WxH");
+    add_whole_number(command, "--jobs", job->jobs, 1, 1024,
+                     "Scenes at once; twice as many as there are cores by default")
+        ->type_name("N");
+    add_number(command, "--time-limit", job->time_limit, 1, 1e6,
+               "Seconds after which POV-Ray is stopped (default 120)")
+        ->type_name("S");
+    command.add_flag("--no-cache", job->no_cache, "Have POV-Ray make every picture anew");
+    command.add_flag("-q,--quiet", job->quiet, "No table");
+    add_scene_options(command, job->scene_options);
+    command.callback(
+        [&action, job] { action = [job](Session& session) { return validate(*job, session); }; });
+}
+
+}  // namespace lancer::cli

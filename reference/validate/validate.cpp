@@ -1,0 +1,144 @@
+#include "reference/validate/validate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lancer::reference {
+
+namespace {
+
+/// The power of two that brings the brightest value into 0..1, or 1: POV-Ray's 16-bit picture ends
+/// there, and a power of two changes no digit of ours.
+double exposure_for(const Image& image) {
+    double brightest = 0;
+    for (const double value : image.data) {
+        if (std::isfinite(value)) brightest = std::max(brightest, value);
+    }
+    if (brightest <= 1) return 1;
+    int exponent = 0;
+    std::frexp(brightest, &exponent);  // brightest = m 2^exponent with m in [0.5, 1)
+    return std::ldexp(1.0, -exponent);
+}
+
+double exposed(double value, double exposure) {
+    // NaN passes through, so that the comparison finds it.
+    return std::isfinite(value) ? std::clamp(value * exposure, 0.0, 1.0) : value;
+}
+
+Image exposed(const Image& image, double exposure) {
+    Image result = image;
+    for (double& value : result.data) value = exposed(value, exposure);
+    return result;
+}
+
+Probe exposed(Probe probe, double exposure) {
+    return [probe = std::move(probe), exposure](double x, double y) {
+        ProbeSample sample = probe(x, y);
+        for (int c = 0; c < 3; ++c) sample.color[c] = exposed(sample.color[c], exposure);
+        return sample;
+    };
+}
+
+/// A pixel may be put down to a rule only where the exporter saw the rule at work: at an object
+/// that it named, or anywhere when it named none.
+KnownRule known_rule(const std::vector<KnownDifference>& known) {
+    if (known.empty()) return {};
+    return [known](int, int, const ProbeSample& ours, const Color&) {
+        return std::any_of(known.begin(), known.end(), [&](const KnownDifference& k) {
+            return k.objects.empty() ||
+                   std::find(k.objects.begin(), k.objects.end(), ours.object) != k.objects.end();
+        });
+    };
+}
+
+/// The exporter's result taken over; false when the scene goes no further.
+bool take_export(Validation& result, const ValidationJob& job, ExportResult& exported) {
+    result.factor = exported.factor;
+    result.exposure = exported.exposure;
+    result.known_differences = exported.known_differences;
+    for (const Approximation& a : exported.approximations) {
+        result.approximations.push_back(a.explanation);
+    }
+    result.refusals = exported.refusals;
+    if (exported.refusals.empty()) {
+        if (!job.expect.refused) return true;
+        result.reasons.push_back("the exporter was expected to refuse this scene, and did not");
+        return false;
+    }
+    for (const Diagnostic& refusal : exported.refusals) result.reasons.push_back(refusal.message);
+    if (job.expect.refused) {
+        result.verdict = Verdict::refused;
+        result.reasons.push_back("expected: " + job.expect.refusal_reason);
+    }
+    return false;
+}
+
+void judge_pictures(Validation& result, const Probe& probe) {
+    CompareOptions options;
+    options.fail = result.thresholds.interior;
+    options.fail_percent = 100;  // the judgement decides, not this
+    result.comparison = compare_images(result.ours, result.theirs, options);
+    if (!result.comparison.comparable) {
+        result.verdict = Verdict::differs;
+        result.reasons.push_back(result.comparison.reason);
+        return;
+    }
+    result.judgement = judge(result.ours, result.theirs, exposed(probe, result.exposure),
+                             result.thresholds, known_rule(result.known_differences));
+    result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
+    result.reasons = result.judgement.failures;
+}
+
+void validate(Validation& result, const ValidationJob& job, const OurRenderer& renderer,
+              const PovRay& povray, const PovOptions& options) {
+    const OurPicture ours = renderer(*job.scene, job.view);
+    result.our_seconds = ours.seconds;
+
+    ExportOptions export_options;
+    export_options.name = job.name;
+    export_options.exposure = exposure_for(ours.image);
+    ExportResult exported = export_pov(*job.scene, job.view, export_options);
+    result.ours = exposed(ours.image, export_options.exposure);
+    if (!take_export(result, job, exported)) return;
+
+    const PovJob pov_job{job.name, std::move(exported.text), std::move(exported.assets),
+                         job.view.width, job.view.height};
+    PovPicture picture = run_povray(povray, pov_job, options);
+    result.pov_seconds = picture.seconds;
+    result.from_cache = picture.from_cache;
+    result.pov_command = picture.command;
+    result.theirs = std::move(picture.image);
+    judge_pictures(result, ours.probe);
+}
+
+}  // namespace
+
+void prepare_for_validation(Scene& scene) {
+    scene.settings.samples = 1;
+    scene.settings.min_contribution = 0;
+}
+
+Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
+                          const PovRay& povray, const PovOptions& options) {
+    Validation result;
+    result.name = job.name;
+    result.path = job.path;
+    result.view = job.view;
+    result.thresholds = job.expect.thresholds;
+    result.expectations = job.expect.reasons;
+    result.pov_version = povray.version;
+    try {
+        validate(result, job, renderer, povray, options);
+    } catch (const FileError& error) {
+        result.verdict = Verdict::failed;
+        result.reasons.emplace_back(error.what());
+    } catch (const SceneError& error) {
+        result.verdict = Verdict::failed;
+        result.reasons.emplace_back(error.what());
+    }
+    return result;
+}
+
+}  // namespace lancer::reference

@@ -1,0 +1,76 @@
+// One scene, rendered by us and by POV-Ray, and judged.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/scene.h"
+#include "reference/compare/compare.h"
+#include "reference/explain/explain.h"
+#include "reference/pov/export.h"
+#include "reference/povray/runner.h"
+#include "reference/report/report.h"
+#include "reference/validate/expect.h"
+
+namespace lancer::reference {
+
+/// Our side, whoever makes it.
+struct OurPicture {
+    Image image;  ///< linear light, 3 channels, not clamped
+    Probe probe;  ///< the same picture between the pixels' centres, in the same units
+    double seconds = 0;
+};
+/// Renders what `view` shows of the scene, one ray through the centre of each pixel. Called from
+/// several threads. Throws SceneError.
+using OurRenderer = std::function<OurPicture(const Scene& scene, const ExportView& view)>;
+
+/// A scene to be validated, without errors and with a camera. Both programs must follow every
+/// branch, so `settings` must say samples 1 and min_contribution 0: see prepare_for_validation().
+struct ValidationJob {
+    std::string name;  ///< for people and for the files' names: `solids`
+    std::string path;  ///< as it stood on the command line, for the commands in the report
+    std::shared_ptr<const Scene> scene;
+    ExportView view;
+    Expectations expect;
+};
+
+/// What both programs do alike: one ray through each pixel's centre, and no branch left out because
+/// it weighs little. The depth of recursion stays the scene's.
+void prepare_for_validation(Scene& scene);
+
+struct Validation {
+    std::string name;
+    std::string path;
+    Verdict verdict = Verdict::failed;
+    /// Why it does not agree; for a refusal what the exporter said, as one would read it in a
+    /// report.
+    std::vector<std::string> reasons;
+    /// The exporter's refusals, with their places.
+    std::vector<Diagnostic> refusals;
+
+    // The rest as far as it came to that.
+    ExportView view;
+    double factor = 1;    ///< of lengths in the export
+    double exposure = 1;  ///< of light, in both pictures
+    std::vector<KnownDifference> known_differences;
+    std::vector<std::string> approximations;
+    std::vector<std::string> expectations;
+    Thresholds thresholds;
+    Image ours;  ///< times the exposure, clipped to 0..1 as POV-Ray's is
+    Image theirs;
+    Comparison comparison;
+    Judgement judgement;
+    double our_seconds = 0;
+    double pov_seconds = 0;
+    bool from_cache = false;
+    std::string pov_command;
+    std::string pov_version;
+};
+
+/// Renders ours, exports, runs POV-Ray, compares and judges. What goes wrong with POV-Ray, the
+/// exporter or our renderer is a verdict; throws nothing but what memory throws.
+Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
+                          const PovRay& povray, const PovOptions& options);
+
+}  // namespace lancer::reference

@@ -1,0 +1,202 @@
+// Whole validations: our tracer, the exporter and POV-Ray. Each seeded fault is put into our side
+// only.
+#include "reference/validate/validate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/our_renderer.h"
+#include "reference/povray/process.h"
+#include "tests/reference/pov/pair_scenes.h"
+#include "tests/reference/pov/povray_fixture.h"
+
+namespace lancer::reference {
+namespace {
+
+using Fault = std::function<void(Scene&)>;
+
+class Validate : public WithPovRay {
+  protected:
+    /// `fault` is done to our scene alone. POV-Ray's picture is made once and kept.
+    Validation validate(const Scene& scene, const Fault& fault = {},
+                        const Expectations& expect = {}) {
+        ValidationJob job;
+        job.name = "test";
+        auto prepared = std::make_shared<Scene>(scene);
+        prepare_for_validation(*prepared);
+        job.scene = prepared;
+        job.view = {0, 160, 120};
+        job.expect = expect;
+        const OurRenderer renderer = [&fault](const Scene& given, const ExportView& view) {
+            Scene ours = given;
+            if (fault) fault(ours);
+            return cli::render_ours(ours, view);
+        };
+        PovOptions options;
+        options.cache = cache().path().string();
+        return validate_scene(job, renderer, find_povray(), options);
+    }
+
+    void expect_caught(const Scene& scene, const Fault& fault, std::size_t least_unexplained) {
+        const Validation v = validate(scene, fault);
+        EXPECT_EQ(v.verdict, Verdict::differs);
+        EXPECT_GE(v.judgement.count(PixelClass::unexplained), least_unexplained);
+    }
+
+    static TemporaryFolder& cache() {
+        static TemporaryFolder folder;
+        return folder;
+    }
+};
+
+std::string said(const Validation& v) {
+    std::string text = v.name + "\n";
+    for (const std::string& reason : v.reasons) text += reason + "\n";
+    return text;
+}
+
+TEST_F(Validate, SolidsAgree) {
+    const Validation v = validate(solids_scene());
+    EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
+    EXPECT_LE(v.judgement.interior_max, 2e-5);
+}
+
+TEST_F(Validate, NestedGlassAgrees) {
+    const Validation v = validate(glass_nested_scene());
+    EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
+}
+
+TEST_F(Validate, PlanarTexturesAgree) {
+    const Validation v = validate(tex_planar_scene());
+    EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
+}
+
+TEST_F(Validate, CatchesALampOnePercentDimmer) {
+    expect_caught(
+        solids_scene(), [](Scene& scene) { scene.lights[0].color = 0.99 * scene.lights[0].color; },
+        2000);
+}
+
+TEST_F(Validate, CatchesAMissingObject) {
+    for (std::size_t i = 1; i < solids_scene().objects.size(); ++i) {
+        SCOPED_TRACE(i);
+        expect_caught(
+            solids_scene(),
+            [i](Scene& scene) {
+                scene.objects.erase(scene.objects.begin() + static_cast<std::ptrdiff_t>(i));
+            },
+            50);
+    }
+}
+
+TEST_F(Validate, CatchesAnIorOffByAHundredth) {
+    expect_caught(
+        glass_nested_scene(),
+        [](Scene& scene) {
+            for (Material& material : scene.materials) {
+                if (material.ior > 1) material.ior += 0.01;
+            }
+        },
+        500);
+}
+
+TEST_F(Validate, CatchesATextureShiftedByATexel) {
+    expect_caught(
+        tex_planar_scene(),
+        [](Scene& scene) {
+            // One column of texels: the picture itself is turned, the mapping stays.
+            for (SceneImage& image : scene.images) {
+                auto turned = std::make_shared<Image>(*image.pixels);
+                for (int y = 0; y < turned->height; ++y) {
+                    for (int x = 0; x < turned->width; ++x) {
+                        const double* from = image.pixels->pixel((x + 1) % turned->width, y);
+                        std::copy(from, from + turned->channels, turned->pixel(x, y));
+                    }
+                }
+                image.pixels = turned;
+            }
+        },
+        500);
+}
+
+TEST_F(Validate, CatchesACameraOffByAFiveThousandthOfAPixel) {
+    for (const Scene& scene : {solids_scene(), glass_nested_scene(), tex_planar_scene()}) {
+        const Validation v = validate(scene, [](Scene& ours) {
+            Camera& camera = ours.cameras[0];
+            const Vec3d forward = camera.look_at - camera.position;
+            const Vec3d right = normalize(cross(forward, camera.up));
+            const auto* lens = std::get_if<PerspectiveProjection>(&camera.projection);
+            ASSERT_NE(lens, nullptr);
+            const double pixel = 2 * length(forward) * std::tan(radians(lens->fov) / 2) / 120;
+            camera.look_at += 0.005 * pixel * right;
+        });
+        EXPECT_EQ(v.verdict, Verdict::differs);
+        EXPECT_TRUE(v.judgement.picture_shift.is_significant(1e-3, 5) ||
+                    v.judgement.count(PixelClass::unexplained) > 0)
+            << said(v);
+    }
+}
+
+TEST_F(Validate, CatchesAWrongGamma) {
+    const Scene scene = solids_scene();
+    ValidationJob job;
+    job.name = "gamma";
+    job.scene = std::make_shared<Scene>(scene);
+    job.view = {0, 160, 120};
+    const OurRenderer renderer = [](const Scene& given, const ExportView& view) {
+        OurPicture picture = cli::render_ours(given, view);
+        for (double& value : picture.image.data) value = std::pow(value, 1 / 2.2);
+        return picture;
+    };
+    const Validation v = validate_scene(job, renderer, find_povray(), {});
+    EXPECT_EQ(v.verdict, Verdict::differs);
+    EXPECT_GT(v.judgement.count(PixelClass::unexplained), v.judgement.pixels / 2);
+}
+
+TEST_F(Validate, CatchesNotANumber) {
+    ValidationJob job;
+    job.name = "nan";
+    job.scene = std::make_shared<Scene>(solids_scene());
+    job.view = {0, 32, 24};
+    const OurRenderer renderer = [](const Scene& given, const ExportView& view) {
+        OurPicture picture = cli::render_ours(given, view);
+        picture.image.data[7] = std::numeric_limits<double>::quiet_NaN();
+        return picture;
+    };
+    const Validation v = validate_scene(job, renderer, find_povray(), {});
+    EXPECT_EQ(v.verdict, Verdict::differs);
+    EXPECT_THAT(said(v), testing::HasSubstr("NaN"));
+}
+
+TEST_F(Validate, BrightScenesAreExposedOnBothSides) {
+    Scene scene = solids_scene();
+    for (Light& light : scene.lights) light.color = 8.0 * light.color;
+    const Validation v = validate(scene);
+    EXPECT_LT(v.exposure, 1);
+    EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
+}
+
+TEST_F(Validate, AnExpectedRefusalThatDoesNotComeFails) {
+    Expectations expect;
+    expect.refused = true;
+    const Validation v = validate(solids_scene(), {}, expect);
+    EXPECT_EQ(v.verdict, Verdict::failed);
+    EXPECT_THAT(said(v), testing::HasSubstr("expected to refuse"));
+}
+
+TEST(ValidateWithoutPovRay, SaysWhatWentWrong) {
+    ValidationJob job;
+    job.name = "nowhere";
+    job.scene = std::make_shared<Scene>(solids_scene());
+    job.view = {0, 8, 6};
+    PovRay missing;
+    missing.program = "/nonexistent/povray";
+    const Validation v = validate_scene(job, cli::render_ours, missing, {});
+    EXPECT_EQ(v.verdict, Verdict::failed);
+    EXPECT_FALSE(v.reasons.empty());
+}
+
+}  // namespace
+}  // namespace lancer::reference
