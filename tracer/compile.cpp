@@ -6,11 +6,13 @@
 
 #include "model/bodies.h"
 #include "model/diagnostic.h"
+#include "model/plain_color.h"
 #include "tracer/bvh_build.h"
 #include "tracer/mesh_compile.h"
 #include "tracer/primitive_bounds.h"
 #include "tracer/scale.h"
 #include "tracer/solids.h"
+#include "tracer/textures/texture_compile.h"
 
 namespace lancer {
 namespace {
@@ -44,6 +46,7 @@ class Compiler {
         world_->background = in_range(scene_.background, {}, "background");
         world_->ambient = in_range(scene_.ambient, {}, "ambient");
         for (const Material& m : scene_.materials) add_finish(m);
+        if (world_->has_textures) compile_textures(scene_, *world_);
         for (const Light& light : scene_.lights) add_light(light);
         add_objects();
         add_tree();
@@ -65,7 +68,8 @@ class Compiler {
 
     void add_finish(const Material& m) {
         Finish<Real> f;
-        f.color = in_range(m.color, {}, "a material's color");
+        f.color = in_range(settings_.textures ? m.color : plain_color(scene_, m), {},
+                           "a material's color");
         f.texture = settings_.textures ? m.texture : none;
         if (f.texture != none) world_->has_textures = true;
         f.ambient = static_cast<Real>(m.ambient);
@@ -143,6 +147,11 @@ class Compiler {
             p.object = i;
             p.material = object.material;
             p.casts_shadow = object.casts_shadow;
+            if (world_->finishes[object.material].texture != none) {
+                p.texture_seat = static_cast<std::uint32_t>(world_->texture_seats.size());
+                world_->texture_seats.push_back(
+                    seat_texture(scene_, *world_, object, p, solids.own_exponent(object)));
+            }
             const Material& m = scene_.materials[object.material];
             p.transmissive = may_pass_light(scene_, settings_, m);
             const bool has_matter = p.transmissive || m.ior != 1 || max_component(m.absorption) > 0;

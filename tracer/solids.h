@@ -24,11 +24,7 @@ class Solids {
     /// \param mesh  the compiled mesh, for a MeshRef
     Primitive<Real> make(const Object& object, const TriangleMesh<Real>* mesh) {
         const Affine<double>& m = scene_.transforms[object.transform];
-        const bool identity = m == Affine<double>{};
-        const bool is_mesh = mesh != nullptr;
-        // The shape's own coordinates are scaled by 2^own, those of the world by 2^scale.
-        const int own = identity && !is_mesh ? world_.scale_exponent
-                                             : exponent_for(extent_of(object.shape, scene_));
+        const int own = own_exponent(object);
         const Affine<Real> map = scaled_map(m, own);
         Primitive<Real> p;
         std::visit(
@@ -41,6 +37,14 @@ class Solids {
             },
             object.shape);
         return p;
+    }
+
+    /// The shape's own coordinates are scaled by 2^own, those of the world by 2^scale.
+    int own_exponent(const Object& object) const {
+        const bool identity = scene_.transforms[object.transform] == Affine<double>{};
+        return identity && !std::holds_alternative<MeshRef>(object.shape)
+                   ? world_.scale_exponent
+                   : exponent_for(extent_of(object.shape, scene_));
     }
 
   private:

@@ -60,7 +60,8 @@ void set_color(const World<Real>& world, const SurfacePoint<Real>& local, Surfac
     Real filter = f.filter;
     Real transmission = f.transmission;
     if (f.texture != none) {
-        const TextureColor<Real> texel = texture_color(world, f.texture, *s.primitive, local, s);
+        const TextureColor<Real> texel =
+            texture_color(world, f.texture, *s.primitive, local, s.id.face);
         s.color = texel.color;
         if (texel.has_alpha) {
             filter = 0;

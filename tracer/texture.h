@@ -1,27 +1,55 @@
-// Colours that vary over a surface.
+// Colours that vary over a surface: the dispatch over patterns and mappings of tracer/textures/.
 #pragma once
 
 #include "tracer/world.h"
 
 namespace lancer {
 
-template <class Real>
-struct Surface;
-
-template <class Real>
-struct TextureColor {
-    Vec3<Real> color{1};
-    bool has_alpha = false;  ///< `alpha` replaces the material's filter and transmission
-    Real alpha = 1;
-};
-
-/// The colour of texture `texture` at a point of a primitive, given in the primitive's own space.
+/// The colour of texture `texture` at a point of a textured primitive.
+///
+/// \param hit   in the primitive's own space
+/// \param face  of the primitive, as its shape numbers them
 template <class Real>
 TextureColor<Real> texture_color(const World<Real>& world, std::uint32_t texture,
-                                 const Primitive<Real>& primitive, const SurfacePoint<Real>& local,
-                                 const Surface<Real>& surface) {
-    (void)world, (void)texture, (void)primitive, (void)local, (void)surface;
-    return {};
+                                 const Primitive<Real>& primitive, const SurfacePoint<Real>& hit,
+                                 std::uint32_t face) {
+    const TextureSeat<Real>& seat = world.texture_seats[primitive.texture_seat];
+    const PatternPoint<Real> p = place(seat.placement, hit);
+    return std::visit(
+        [&](const auto& pattern) -> TextureColor<Real> {
+            using P = std::decay_t<decltype(pattern)>;
+            if constexpr (std::is_same_v<P, ImagePattern<Real>>) {
+                using Mapping = ImageTexture::Mapping;
+                switch (pattern.mapping) {
+                    case Mapping::planar:
+                        return color_at(pattern, planar(p));
+                    case Mapping::spherical:
+                        return color_at(pattern, spherical(p));
+                    case Mapping::cylindrical:
+                        return color_at(pattern, cylindrical(p));
+                    case Mapping::uv:
+                        break;
+                }
+                const ChartPoint<Real> on_shape{p, map_vector(seat.placement.map, hit.normal), face,
+                                                hit};
+                const ImagePoint<Real> uv = std::visit(
+                    [&](const auto& chart) { return uv_at(chart, on_shape); }, seat.chart);
+                const Placement<Real> undo{pattern.from_uv};
+                const SurfacePoint<Real> flat{
+                    Vec3<Real>(uv.u, uv.v, 0), Vec3<Real>(0), 0, {}, {}, {}};
+                ImagePoint<Real> moved = planar(place(undo, flat));
+                const auto carried = [&](std::size_t row) {
+                    const Vec3<Real> a = absolute(pattern.from_uv.rows[row]);
+                    return a.x * uv.u_bound + a.y * uv.v_bound;
+                };
+                moved.u_bound += carried(0);
+                moved.v_bound += carried(1);
+                return color_at(pattern, moved);
+            } else {
+                return {color_at(pattern, p)};
+            }
+        },
+        world.textures[texture]);
 }
 
 }  // namespace lancer

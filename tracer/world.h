@@ -15,6 +15,7 @@
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/sphere.h"
 #include "tracer/shapes/triangle.h"
+#include "tracer/textures/seat.h"
 
 namespace lancer {
 
@@ -26,9 +27,8 @@ using Solid = std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, 
 template <class Real>
 struct Primitive {
     Solid<Real> solid;
-    std::uint32_t frame = none;  ///< index into World::frames; none: in world space
-    std::uint32_t object_frame =
-        none;                  ///< the object's own space, when textures need it; none: the world's
+    std::uint32_t frame = none;         ///< index into World::frames; none: in world space
+    std::uint32_t texture_seat = none;  ///< index into World::texture_seats
     std::uint32_t object = 0;  ///< index into Scene::objects, which is the order of declaration
     std::uint32_t material = 0;
     std::uint32_t corner_normals =
@@ -86,6 +86,9 @@ struct World {
     std::vector<std::unique_ptr<TriangleMesh<Real>>> meshes;
     std::vector<std::array<Vec3<Real>, 3>> corner_normals;  ///< unit, in the primitive's space
     std::vector<Finish<Real>> finishes;
+    std::vector<Pattern<Real>> textures;               ///< in the order of Scene::textures
+    std::vector<TextureSeat<Real>> texture_seats;      ///< of the textured primitives
+    std::vector<std::shared_ptr<const Image>> images;  ///< that `textures` point to
     std::vector<LightSource<Real>> lights;
     Vec3<Real> background{0};
     Vec3<Real> ambient{1};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/plain_color.h"
 #include "reference/pov/images.h"
 #include "reference/pov/materials.h"
 
@@ -97,7 +98,8 @@ std::string image_map(Writer& writer, const Material& material, const ImageTextu
 void write_pigment(Writer& writer, const Material& material, const Object& object, PowerOfTen own) {
     const Texture* texture = texture_of(writer.scene, material);
     if (!texture) {
-        writer.text.line("pigment { " + pigment_color(material.color, material) + " }");
+        writer.text.line("pigment { " +
+                         pigment_color(plain_color(writer.scene, material), material) + " }");
         return;
     }
     std::visit(PatternWriter{writer, material, object, own, texture->to_object}, texture->pattern);

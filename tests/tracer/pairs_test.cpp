@@ -58,5 +58,16 @@ TEST(Pairs, SolidsAgreeWithPovRayOffTheEdges) {
     EXPECT_EQ(wrong_off_edges(rendered(reference::solids_scene()), stored("solids"), 2e-5), 0);
 }
 
+TEST(Pairs, NestedGlassAgreesWithPovRayOffTheEdges) {
+    EXPECT_EQ(
+        wrong_off_edges(rendered(reference::glass_nested_scene()), stored("glass_nested"), 2e-5),
+        0);
+}
+
+TEST(Pairs, PlanarTexturesAgreeWithPovRayOffTheEdges) {
+    EXPECT_EQ(wrong_off_edges(rendered(reference::tex_planar_scene()), stored("tex_planar"), 2e-5),
+              0);
+}
+
 }  // namespace
 }  // namespace lancer

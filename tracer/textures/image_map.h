@@ -1,0 +1,96 @@
+// Looking images up. The rules are those of POV-Ray's image_map, which docs/shading.md states.
+#pragma once
+
+#include <array>
+
+#include "model/image.h"
+#include "model/material.h"
+#include "tracer/textures/mapping.h"
+
+namespace lancer {
+
+/// Colour and opacity (1 - the share that passes) of a texture at a point.
+template <class Real>
+struct TextureColor {
+    Vec3<Real> color{1};
+    bool has_alpha = false;  ///< `alpha` replaces the material's filter and transmission
+    Real alpha = 1;
+};
+
+template <class Real>
+struct ImagePattern {
+    const Image* image = nullptr;  ///< 3 or 4 channels, not empty
+    ImageTexture::Mapping mapping{};
+    ImageTexture::Filter filter{};
+    ImageTexture::Wrap wrap{};
+    Affine<Real> from_uv;  ///< mapping uv: the texture's own transforms undone, on (u, v, 0)
+};
+
+/// Column or row of a texel that may lie outside of an image of `size`: repeated, or the nearest
+/// that there is.
+template <class Real>
+int wrapped(Real whole, int size, ImageTexture::Wrap wrap) {
+    using std::floor;
+    const Real n = static_cast<Real>(size);
+    const Real inside = wrap == ImageTexture::Wrap::repeat ? whole - n * floor(whole / n) : whole;
+    if (!(inside > 0)) return 0;  // NaN too
+    return inside < n ? static_cast<int>(inside) : size - 1;
+}
+
+/// A texel, its row counted from the bottom: red, green, blue, alpha.
+template <class Real>
+std::array<Real, 4> texel(const Image& image, int column, int row_up) {
+    const double* p = image.pixel(column, image.height - 1 - row_up);
+    return {static_cast<Real>(p[0]), static_cast<Real>(p[1]), static_cast<Real>(p[2]),
+            image.channels > 3 ? static_cast<Real>(p[3]) : Real(1)};
+}
+
+/// Linear in both directions between the centres of the four nearest texels. Alpha is treated as a
+/// fourth colour, not multiplied into the others.
+template <class Real>
+std::array<Real, 4> bilinear(const ImagePattern<Real>& map, Real x, Real y) {
+    using std::floor;
+    const Image& image = *map.image;
+    const Real left = floor(x - Real(0.5));
+    const Real below = floor(y - Real(0.5));
+    const Real right_share = (x - Real(0.5)) - left;
+    const Real upper_share = (y - Real(0.5)) - below;
+    const std::array<int, 2> columns{wrapped(left, image.width, map.wrap),
+                                     wrapped(left + 1, image.width, map.wrap)};
+    const std::array<int, 2> rows{wrapped(below, image.height, map.wrap),
+                                  wrapped(below + 1, image.height, map.wrap)};
+    std::array<Real, 4> sum{};
+    for (std::size_t j = 0; j < 2; ++j) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Real weight =
+                (i == 0 ? 1 - right_share : right_share) * (j == 0 ? 1 - upper_share : upper_share);
+            const std::array<Real, 4> value = texel<Real>(image, columns[i], rows[j]);
+            for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * value[c];
+        }
+    }
+    return sum;
+}
+
+template <class Real>
+TextureColor<Real> color_at(const ImagePattern<Real>& map, const ImagePoint<Real>& p) {
+    if (map.wrap == ImageTexture::Wrap::once) {
+        const auto outside = [](Real c, Real bound) { return c < -bound || c > 1 + bound; };
+        if (outside(p.u, p.u_bound) || outside(p.v, p.v_bound))
+            return {Vec3<Real>(1), true, Real(0)};
+    }
+    const Image& image = *map.image;
+    const Real width = static_cast<Real>(image.width);
+    const Real height = static_cast<Real>(image.height);
+    std::array<Real, 4> value;
+    if (map.filter == ImageTexture::Filter::nearest) {
+        const Real column = whole_part(p.u * width, p.u_bound * width);
+        const Real row_up = whole_part(p.v * height, p.v_bound * height);
+        value = texel<Real>(image, wrapped(column, image.width, map.wrap),
+                            wrapped(row_up, image.height, map.wrap));
+    } else {
+        value = bilinear(map, p.u * width, p.v * height);
+    }
+    return {{value[0], value[1], value[2]}, image.channels > 3, value[3]};
+}
+
+}  // namespace lancer

@@ -1,0 +1,56 @@
+// From a place to the two coordinates of an image: u to the right, v up, one image per unit.
+#pragma once
+
+#include "tracer/textures/placement.h"
+
+namespace lancer {
+
+/// Image coordinates, and how far rounding may have carried each.
+template <class Real>
+struct ImagePoint {
+    Real u;
+    Real v;
+    Real u_bound;
+    Real v_bound;
+};
+
+/// atan2(y, x) / 2 pi in [0, 1).
+template <class Real>
+Real turn(Real y, Real x) {
+    constexpr Real one_turn = static_cast<Real>(6.283185307179586476925286766559005768L);
+    const Real t = elementary::atan2(y, x) / one_turn;
+    const Real positive = t < 0 ? t + 1 : t;
+    return positive < 1 ? positive : Real(0);
+}
+
+template <class Real>
+ImagePoint<Real> planar(const PatternPoint<Real>& p) {
+    return {p.at.x, p.at.y, p.bound.x, p.bound.y};
+}
+
+/// u once round the y axis, from +x towards +z; v = y.
+template <class Real>
+ImagePoint<Real> cylindrical(const PatternPoint<Real>& p) {
+    using std::sqrt;
+    const Real from_axis = sqrt(p.at.x * p.at.x + p.at.z * p.at.z);
+    const Real aside = p.bound.x + p.bound.z;
+    const Real u_bound = gamma<Real>(4) + (from_axis > 0 ? aside / from_axis : Real(0));
+    return {turn(p.at.z, p.at.x), p.at.y, u_bound, p.bound.y};
+}
+
+/// u as cylindrical; v = 1/2 + asin(y / |p|) / pi, the angle taken from its tangent, which is as
+/// precise at the poles as elsewhere.
+template <class Real>
+ImagePoint<Real> spherical(const PatternPoint<Real>& p) {
+    using std::sqrt;
+    ImagePoint<Real> image = cylindrical(p);
+    const Real from_axis = sqrt(p.at.x * p.at.x + p.at.z * p.at.z);
+    constexpr Real half_turn = static_cast<Real>(3.141592653589793238462643383279502884L);
+    image.v = Real(0.5) + elementary::atan2(p.at.y, from_axis) / half_turn;
+    const Real size = length(p.at);
+    image.v_bound =
+        gamma<Real>(4) + (size > 0 ? (p.bound.x + p.bound.y + p.bound.z) / size : Real(0));
+    return image;
+}
+
+}  // namespace lancer

@@ -1,0 +1,59 @@
+// Checker and gradient: colours that follow from a place alone.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "tracer/textures/placement.h"
+
+namespace lancer {
+
+template <class Real>
+struct CheckerPattern {
+    Vec3<Real> even;
+    Vec3<Real> odd;
+};
+
+/// Cubes of edge 1: the parity of floor(x) + floor(y) + floor(z) decides.
+template <class Real>
+Vec3<Real> color_at(const CheckerPattern<Real>& checker, const PatternPoint<Real>& p) {
+    using std::floor;
+    bool odd = false;
+    for (int i = 0; i < 3; ++i) {
+        const Real whole = whole_part(p.at[i], p.bound[i]);
+        odd ^= whole != 2 * floor(whole / 2);  // exact, however large the number
+    }
+    return odd ? checker.odd : checker.even;
+}
+
+template <class Real>
+struct GradientPattern {
+    struct Stop {
+        Real at;
+        Vec3<Real> color;
+    };
+    Vec3<Real> axis;  ///< unit
+    std::vector<Stop> stops;
+};
+
+/// Linear between the stops around the fractional part of p along the axis; the end colours beyond
+/// them. Two stops at one place make a step, whose upper side holds the place itself.
+template <class Real>
+Vec3<Real> color_at(const GradientPattern<Real>& gradient, const PatternPoint<Real>& p) {
+    const Real along = dot(gradient.axis, p.at);
+    const Vec3<Real> weights = absolute(gradient.axis);
+    const Real bound = dot(weights, p.bound) + gamma<Real>(4) * dot(weights, absolute(p.at));
+    Real g = along - whole_part(along, bound);
+    if (!(g > 0)) g = 0;
+    const auto& stops = gradient.stops;
+    const auto above = std::upper_bound(
+        stops.begin(), stops.end(), g + bound,
+        [](Real value, const typename GradientPattern<Real>::Stop& s) { return value < s.at; });
+    if (above == stops.begin()) return stops.front().color;
+    if (above == stops.end()) return stops.back().color;
+    const auto& low = *(above - 1);
+    const Real share = g > low.at ? (g - low.at) / (above->at - low.at) : Real(0);
+    return (1 - share) * low.color + share * above->color;
+}
+
+}  // namespace lancer

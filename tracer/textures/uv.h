@@ -1,0 +1,154 @@
+// The shapes' own parameters (u, v), which images with `mapping uv` lie on. docs/shading.md, "uv".
+#pragma once
+
+#include <array>
+#include <variant>
+
+#include "model/scene.h"
+#include "tracer/textures/mapping.h"
+
+namespace lancer {
+
+// How the points of one shape get their (u, v). All in the shape's own space, unscaled.
+
+/// Plane, triangle or mesh without uvs: u = x, v = y.
+struct PlanarChart {};
+
+template <class Real>
+struct SphereChart {
+    Vec3<Real> center;
+};
+
+template <class Real>
+struct BoxChart {
+    Vec3<Real> min;
+    Vec3<Real> size;
+};
+
+template <class Real>
+struct FrustumChart {
+    Vec3<Real> base;
+    Vec3<Real> x, y, z;  ///< unit: y from base to top, x the world's made perpendicular, z = x × y
+    Real height;
+    Real base_radius, top_radius;
+    bool base_is_small;  ///< the tracer numbers caps by their size
+};
+
+/// A triangle's corners' uvs.
+template <class Real>
+struct TriangleChart {
+    std::array<Vec2<Real>, 3> uvs;
+};
+
+struct MeshChart {
+    const Mesh* mesh;  ///< with uvs
+};
+
+/// Patch, lathe and prism: the tracer's shape says (u, v) itself, in SurfacePoint::parameter.
+struct ParameterChart {};
+
+template <class Real>
+using Chart = std::variant<PlanarChart, SphereChart<Real>, BoxChart<Real>, FrustumChart<Real>,
+                           TriangleChart<Real>, MeshChart, ParameterChart>;
+
+/// What a chart may ask about a hit.
+template <class Real>
+struct ChartPoint {
+    PatternPoint<Real> object;      ///< in the object's space
+    Vec3<Real> normal;              ///< geometric, outward, in the object's space, any length
+    std::uint32_t face;             ///< as the tracer's shape numbers it
+    const SurfacePoint<Real>& hit;  ///< in the primitive's space
+};
+
+template <class Real>
+ImagePoint<Real> uv_at(const PlanarChart&, const ChartPoint<Real>& p) {
+    return planar(p.object);
+}
+
+template <class Real>
+ImagePoint<Real> uv_at(const SphereChart<Real>& chart, const ChartPoint<Real>& p) {
+    return spherical(PatternPoint<Real>{p.object.at - chart.center, p.object.bound});
+}
+
+/// Each face its own [0, 1]², upright and unmirrored as seen from outside.
+template <class Real>
+ImagePoint<Real> uv_at(const BoxChart<Real>& chart, const ChartPoint<Real>& p) {
+    const Vec3<Real> steep = absolute(p.normal);
+    const int axis = steep.x >= steep.y && steep.x >= steep.z ? 0 : (steep.y >= steep.z ? 1 : 2);
+    const bool at_max = p.normal[axis] > 0;
+    Vec3<Real> q(0);
+    Vec3<Real> bound(0);
+    for (int i = 0; i < 3; ++i) {
+        if (!(chart.size[i] > 0)) continue;
+        q[i] = (p.object.at[i] - chart.min[i]) / chart.size[i];
+        bound[i] = p.object.bound[i] / chart.size[i] + gamma<Real>(4);
+    }
+    switch (axis) {
+        case 0:
+            return {at_max ? 1 - q.z : q.z, q.y, bound.z, bound.y};
+        case 1:
+            return {q.x, at_max ? 1 - q.z : q.z, bound.x, bound.z};
+        default:
+            return {at_max ? q.x : 1 - q.x, q.y, bound.x, bound.y};
+    }
+}
+
+/// Mantle: u round the axis, v from base to top. Caps: planar, the disc in the middle of [0, 1]².
+template <class Real>
+ImagePoint<Real> uv_at(const FrustumChart<Real>& chart, const ChartPoint<Real>& p) {
+    const Vec3<Real> rel = p.object.at - chart.base;
+    const Real spread = p.object.bound.x + p.object.bound.y + p.object.bound.z;
+    const Vec3<Real> own(dot(chart.x, rel), dot(chart.y, rel), dot(chart.z, rel));
+    if (p.face == frustum_face::mantle) {
+        const Vec3<Real> unit_high(own.x, own.y / chart.height, own.z);
+        return cylindrical(PatternPoint<Real>{
+            unit_high, Vec3<Real>(spread, spread / chart.height + gamma<Real>(4), spread)});
+    }
+    const bool base = (p.face == frustum_face::small_cap) == chart.base_is_small;
+    const Real across = 2 * (base ? chart.base_radius : chart.top_radius);
+    const Real bound = across > 0 ? spread / across + gamma<Real>(4) : Real(0);
+    if (!(across > 0)) return {Real(0.5), Real(0.5), bound, bound};
+    return {Real(0.5) + own.x / across, Real(0.5) + own.z / across, bound, bound};
+}
+
+/// Interpolated between three corners with the weights of a triangle's hit.
+template <class Real>
+ImagePoint<Real> between(const std::array<Vec2<Real>, 3>& uvs, const Vec2<Real>& weights) {
+    using std::abs;
+    const Real first = 1 - weights.x - weights.y;
+    const auto mix = [&](int i) {
+        return first * uvs[0][i] + weights.x * uvs[1][i] + weights.y * uvs[2][i];
+    };
+    const auto bound = [&](int i) {
+        return gamma<Real>(8) * (abs(uvs[0][i]) + abs(uvs[1][i]) + abs(uvs[2][i]));
+    };
+    return {mix(0), mix(1), bound(0), bound(1)};
+}
+
+template <class Real>
+ImagePoint<Real> uv_at(const TriangleChart<Real>& chart, const ChartPoint<Real>& p) {
+    return between(chart.uvs, p.hit.parameter);
+}
+
+/// A face of which a corner has no uv is planar, like a mesh without.
+template <class Real>
+ImagePoint<Real> uv_at(const MeshChart& chart, const ChartPoint<Real>& p) {
+    const Mesh& mesh = *chart.mesh;
+    const Mesh::Corners& corners =
+        mesh.uv_faces.empty() ? mesh.faces[p.face] : mesh.uv_faces[p.face];
+    std::array<Vec2<Real>, 3> uvs;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (corners[i] == none) return planar(p.object);
+        const Vec2d& uv = mesh.uvs[corners[i]];
+        uvs[i] = Vec2<Real>(static_cast<Real>(uv.x), static_cast<Real>(uv.y));
+    }
+    return between(uvs, p.hit.parameter);
+}
+
+template <class Real>
+ImagePoint<Real> uv_at(const ParameterChart&, const ChartPoint<Real>& p) {
+    constexpr Real bound = gamma<Real>(16);
+    return {p.hit.parameter.x, p.hit.parameter.y, bound, bound};
+}
+
+}  // namespace lancer
