@@ -78,7 +78,7 @@ SceneLoader::SceneLoader(const std::string& path, const SceneOptions& options, S
     parse_seconds_ = watch.seconds();
 }
 
-Scene SceneLoader::load(double frame, double time) {
+Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time) {
     const Stopwatch watch;
     const Definitions definitions{options_.definitions, frame, time};
     std::vector<Diagnostic> found = syntax_errors_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ class SceneLoader {
     /// The scene of one frame, as the script has it. Shows what `print` says, and every diagnostic
     /// that has not been shown before. Throws SceneRejected when there are errors, and UsageError
     /// when -D names a param that is not there.
-    Scene load(double frame = 0, double time = 0);
+    Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
     double parse_seconds() const { return parse_seconds_; }
     /// Of all evaluations up to now.

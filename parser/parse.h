@@ -2,39 +2,54 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "model/diagnostic.h"
+#include "model/io/image_file.h"
+#include "model/io/mesh_file.h"
 #include "model/scene.h"
 #include "model/source.h"
 
 namespace lancer {
 
-namespace ast {
-struct File;
-}
+struct Program;  // parser/program.h: the AST, the symbols, what was loaded
 
 /// Bounds on what a script may cost; passing one is an ordinary error at its place.
 struct Limits {
-    std::uint64_t statements = 50'000'000;      ///< executions; an iteration of a loop counts as one
-    std::uint64_t calls = 512;                  ///< nested calls or includes
-    std::uint64_t nesting = 512;                ///< levels of brackets, blocks, operators in the text
+    std::uint64_t statements = 50'000'000;  ///< executions; an iteration of a loop counts as one
+    std::uint64_t calls = 512;              ///< nested calls or includes
+    std::uint64_t nesting = 512;            ///< levels of brackets, blocks, operators in the text
     std::uint64_t source_bytes = 64ull << 20;   ///< all files together
     std::uint64_t list_elements = 100'000'000;  ///< ever made
-    std::uint64_t objects = 5'000'000;
+    std::uint64_t objects = 5'000'000;  ///< shapes; as many lights, cameras, materials, textures
+    std::uint64_t text_bytes = 256ull << 20;  ///< strings ever made, printed lines included
 };
 
 /// What the command line says about a script's params.
 struct Definitions {
     std::vector<std::pair<std::string, std::string>> values;  ///< -D name=value, in order
-    double frame = 0;
-    double time = 0;
+    std::optional<double> frame;  ///< of an animation; without one both params are 0
+    std::optional<double> time;   ///< 0..1 from the first frame to the last
 };
 
-/// A parsed script, without the files that it includes: those are read when they are met.
+/// How the files that a script names are read: each throws FileError. Tests and fuzzing put their
+/// own.
+struct Loader {
+    std::function<std::string(const std::string& path, std::size_t limit)> text;
+    std::function<io::LoadedMesh(const std::string& path)> mesh;
+    std::function<Image(const std::string& path, io::ColorSpace space)> image;
+};
+
+/// Reads from disk, by the functions of model/io.
+Loader disk_loader();
+
+/// A parsed script. The files that it includes are read when they are met; they, meshes and images
+/// are kept, so that evaluating it again (the next frame) reads nothing twice.
 class Script {
   public:
     Script();
@@ -43,7 +58,7 @@ class Script {
     ~Script();
 
     std::uint32_t file = 0;  ///< of the main file, in the SourceMap
-    std::unique_ptr<ast::File> syntax;
+    std::unique_ptr<Program> program;
 };
 
 /// Reads `text` as a script called `name` (what messages show, and what relative names in it are
@@ -54,14 +69,17 @@ Script parse_script(const std::string& name, std::string text, const Limits& lim
 
 /// What an evaluation brings beside the scene.
 struct Evaluation {
-    Scene scene;  ///< usable only when no error was found
-    std::vector<std::string> printed;           ///< lines of `print`
-    std::vector<Diagnostic> usage_errors;       ///< -D with an unknown name or a bad value: exit code 2
+    Scene scene;                           ///< usable only when no error was found
+    std::vector<std::string> printed;      ///< lines of `print`
+    std::vector<Diagnostic> usage_errors;  ///< -D with an unknown name or a bad value: exit code 2
 };
 
-/// Runs a script. Errors and warnings are added to `found`; evaluation goes on after an error as far
-/// as it makes sense, so that one run reports all it can. Loads the mesh and image files that the scene names.
+/// Runs a script. Errors and warnings are added to `found`; evaluation goes on after an error as
+/// far as it makes sense, so that one run reports all it can. Loads the mesh and image files that
+/// the scene names. `script.program` is written to (what was loaded), so a script is not for
+/// several threads at once.
 Evaluation evaluate(const Script& script, const Definitions& definitions, const Limits& limits,
-                    SourceMap& sources, std::vector<Diagnostic>& found);
+                    SourceMap& sources, std::vector<Diagnostic>& found,
+                    const Loader& loader = disk_loader());
 
 }  // namespace lancer

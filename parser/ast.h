@@ -1,0 +1,137 @@
+// What a script says, before anything in it has a meaning: statements with their places,
+// expressions as flat lists of steps. Generic: no shape, light or material is known here.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "model/source.h"
+#include "parser/symbols.h"
+
+namespace lancer::ast {
+
+/// Steps of an expression in postfix order, so that neither reading, evaluating nor destroying a
+/// long one recurses: each takes its operands from a stack and leaves its result there.
+enum class Op : std::uint8_t {
+    number,  ///< payload: the value's bits
+    text,    ///< payload: a symbol
+    yes,     ///< true
+    no,      ///< false
+    color,   ///< payload: 0xrrggbb
+    name,    ///< payload: a symbol
+    call,    ///< payload: a symbol and the count of arguments
+    named,   ///< marks the value before it as a named argument; payload: a symbol
+    list,    ///< payload: the count of elements
+    index,   ///< list, index -> element
+    member,  ///< payload: 0, 1, 2 for x, y, z
+    negate,
+    invert,
+    add,
+    subtract,
+    multiply,
+    divide,
+    modulo,
+    power,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    equal,
+    not_equal,
+    // Jumps: payload is the index of the step to go on with.
+    and_then,  ///< left side false: leave it and jump past `and_end`
+    and_end,
+    or_else,  ///< left side true: leave it and jump past `or_end`
+    or_end,
+    choose,  ///< condition false: jump to the third operand
+    jump,    ///< after the second operand: past the third
+};
+
+struct Step {
+    std::uint64_t payload = 0;
+    std::uint32_t offset = 0;  ///< of the token, from the start of the file
+    std::uint16_t length = 0;  ///< of the token, capped
+    Op op = Op::number;
+
+    double number() const { return std::bit_cast<double>(payload); }
+    std::uint32_t low() const { return static_cast<std::uint32_t>(payload); }
+    std::uint32_t high() const { return static_cast<std::uint32_t>(payload >> 32); }
+};
+
+/// A run of steps, and the run of bytes it was read from.
+struct Expression {
+    std::uint32_t begin = 0, end = 0;  ///< into File::steps; equal: there is none
+    std::uint32_t offset = 0, length = 0;
+
+    bool empty() const { return begin == end; }
+};
+
+/// A run of elements of one of the file's arrays.
+struct Range {
+    std::uint32_t begin = 0, end = 0;
+
+    std::uint32_t size() const { return end - begin; }
+    bool empty() const { return begin == end; }
+};
+
+/// An argument of a template's call (`name` may be missing), a parameter of its definition (`value`
+/// may be missing), a part of print or assert, the end of a `for` range.
+struct Argument {
+    Symbol name = no_symbol;
+    std::uint32_t offset = 0, length = 0;  ///< of the name
+    Expression value;
+};
+
+struct Statement {
+    enum class Kind : std::uint8_t {
+        property,   ///< word value
+        block,      ///< word [name] { body }
+        call,       ///< word (arguments)
+        let,        ///< let name = value
+        param,      ///< param name = value
+        def,        ///< def name(arguments) { body }
+        loop,       ///< for name in value [.. arguments[0]] { body }
+        choice,     ///< if value { body } else { otherwise }
+        include,    ///< include value
+        assertion,  ///< assert value, arguments[0]
+        print,      ///< print arguments
+        broken,     ///< a declaration of `name` that could not be read
+    };
+    Kind kind = Kind::property;
+    bool damaged = false;  ///< a syntax error stands in its body
+    bool has_otherwise = false;
+    Symbol word = no_symbol;               ///< the first word
+    Symbol name = no_symbol;               ///< what it declares, or a block's name
+    std::uint32_t offset = 0, length = 0;  ///< of the first word
+    std::uint32_t name_offset = 0, name_length = 0;
+    Expression value;
+    Range arguments;  ///< into File::arguments
+    Range body;       ///< into File::statements
+    Range otherwise;  ///< into File::statements
+};
+
+/// Where a comment stands, its marks included.
+struct Comment {
+    std::uint32_t offset = 0, length = 0;
+};
+
+struct File {
+    std::uint32_t source = 0;  ///< in the SourceMap
+    std::vector<Step> steps;
+    std::vector<Argument> arguments;
+    std::vector<Statement> statements;  ///< bodies before the statement that owns them
+    Range body;                         ///< the file's own statements
+    std::vector<Comment> comments;      ///< in the order of the text
+
+    SourceSpan span(std::uint32_t offset, std::uint32_t length) const {
+        return {source, offset, length};
+    }
+    SourceSpan span(const Statement& s) const { return span(s.offset, s.length); }
+    SourceSpan span(const Expression& e) const { return span(e.offset, e.length); }
+    SourceSpan span(const Step& s) const { return span(s.offset, s.length); }
+    SourceSpan span(const Argument& a) const { return span(a.offset, a.length); }
+    SourceSpan name_span(const Statement& s) const { return span(s.name_offset, s.name_length); }
+};
+
+}  // namespace lancer::ast

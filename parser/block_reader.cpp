@@ -1,0 +1,185 @@
+#include "parser/block_reader.h"
+
+#include <algorithm>
+
+#include "parser/suggest.h"
+
+namespace lancer {
+namespace {
+
+using Kind = ast::Statement::Kind;
+
+/// "a sphere", "an image".
+std::string with_article(const std::string& title) {
+    const bool vowel = std::string_view("aeiou").find(title.front()) != std::string_view::npos;
+    return (vowel ? "an " : "a ") + title;
+}
+
+std::string_view word_of(Kind kind) {
+    switch (kind) {
+        case Kind::let:
+            return "let";
+        case Kind::param:
+            return "param";
+        case Kind::def:
+            return "def";
+        case Kind::loop:
+            return "for";
+        case Kind::choice:
+            return "if";
+        case Kind::include:
+            return "include";
+        case Kind::assertion:
+            return "assert";
+        case Kind::print:
+            return "print";
+        default:
+            return "";
+    }
+}
+
+}  // namespace
+
+BlockReader::BlockReader(Evaluator& evaluator, const ast::File& file, const ast::Statement& block,
+                         const BlockWord& word)
+    : evaluator_(evaluator),
+      file_(file),
+      block_(block),
+      word_(word),
+      given_(word.properties.fields().size()) {}
+
+std::string_view BlockReader::name() const {
+    return block_.name == no_symbol ? std::string_view{} : evaluator_.text(block_.name);
+}
+
+const ast::Statement* BlockReader::find(std::string_view property) const {
+    const auto& fields = word_.properties.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        if (fields[i]->name == property) return given_[i].statement;
+    return nullptr;
+}
+
+SourceSpan BlockReader::place(std::string_view property) const {
+    const ast::Statement* statement = find(property);
+    if (statement == nullptr) return place();
+    return statement->kind == Kind::property ? file_.span(statement->value)
+                                             : file_.span(*statement);
+}
+
+bool BlockReader::read_property(Evaluator& evaluator, const ast::File& file,
+                                const ast::Statement& property, const Field& field, void* owner) {
+    const ast::Expression& expression = property.value;
+    const SourceSpan place = file.span(expression);
+    Value value;
+    const ast::Step& first = file.steps[expression.begin];
+    const bool lone_name = expression.end - expression.begin == 1 && first.op == ast::Op::name;
+    const auto& words = field.words;
+    if (!words.empty() && lone_name) {
+        const std::string_view word = evaluator.text(first.low());
+        const bool known = std::find(words.begin(), words.end(), word) != words.end();
+        if (known || !evaluator.has_value(first.low())) value = Value(std::string(word));
+    }
+    if (value.is_broken()) value = evaluator.evaluate(file, expression);
+    if (value.is_broken()) return false;
+    std::string instead;
+    if (value.is_list()) evaluator.meter().elements(value.size(), place);
+    if (field.read(value, owner, instead)) return true;
+    if (instead.empty()) instead = describe(value);
+    Diagnostic* error =
+        evaluator.report().error(Message::property_takes, place, field.name, field.takes, instead);
+    if (error != nullptr && value.is(Value::Kind::text) && !words.empty()) {
+        Suggestion suggestion(value.text());
+        for (const std::string_view word : words) suggestion.consider(word);
+        error->hint = suggestion.hint();
+    }
+    return false;
+}
+
+void BlockReader::report_unknown(Evaluator& evaluator, const ast::File& file,
+                                 const ast::Statement& property, const PropertySet& known,
+                                 const std::string& title) {
+    const std::string_view word = evaluator.text(property.word);
+    Diagnostic* error = evaluator.report().error(Message::unknown_property, file.span(property),
+                                                 word, with_article(title));
+    if (error == nullptr) return;
+    Suggestion suggestion(word);
+    for (const Field* field : known.fields()) suggestion.consider(field->name);
+    error->hint = suggestion.hint();
+    if (!error->hint.empty()) return;
+    std::string all;
+    for (const Field* field : known.fields())
+        all += (all.empty() ? "" : ", ") + std::string(field->name);
+    error->hint = with_article(title) + " has " + all;
+}
+
+void BlockReader::read_statement(const ast::Statement& statement, void* own, void* shared) {
+    Report& report = evaluator_.report();
+    const bool inline_material =
+        statement.kind == Kind::block && statement.word == evaluator_.program().vocabulary.material;
+    const bool block = statement.kind == Kind::block;
+    if (statement.kind != Kind::property && !(block && word_.properties.knows(statement.word))) {
+        good_ = false;
+        if (block) {
+            if (evaluator_.program().vocabulary.is_block(statement.word)) {
+                report.error(Message::block_misplaced, file_.span(statement),
+                             evaluator_.text(statement.word), with_article(word_.info->title()));
+            } else {
+                report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+            }
+        } else if (statement.kind == Kind::call) {
+            report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+        } else if (statement.kind != Kind::broken) {
+            report.error(Message::statement_misplaced, file_.span(statement),
+                         word_of(statement.kind), with_article(word_.info->title()));
+        }
+        return;
+    }
+    const std::uint8_t index = word_.properties.index(statement.word);
+    if (index == PropertySet::unknown) {
+        good_ = false;
+        report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+        return;
+    }
+    const Field& field = word_.properties.field(index);
+    if (given_[index].statement != nullptr && !field.repeats) {
+        good_ = false;
+        Diagnostic* error = report.error(Message::given_twice, file_.span(statement), field.name);
+        if (error != nullptr)
+            error->notes.insert(
+                error->notes.begin(),
+                Report::note(Message::first_here, file_.span(*given_[index].statement)));
+        return;
+    }
+    given_[index].statement = &statement;
+    void* owner = index < word_.own_fields ? own : shared;
+    if (!block) {
+        if (!read_property(evaluator_, file_, statement, field, owner)) good_ = false;
+        return;
+    }
+    if (!inline_material) {
+        good_ = false;
+        report.error(Message::block_is_property, file_.span(statement), field.name);
+        return;
+    }
+    const std::uint32_t material = evaluator_.make_inline_material(file_, statement);
+    static_cast<Attributes*>(owner)->material = material;
+    if (material == none) good_ = false;
+}
+
+bool BlockReader::read(void* own, void* shared) {
+    for (std::uint32_t i = block_.body.begin; i < block_.body.end; ++i) {
+        evaluator_.meter().statement(file_.span(file_.statements[i]));
+        read_statement(file_.statements[i], own, shared);
+    }
+    if (block_.damaged) good_ = false;
+    const auto& fields = word_.properties.fields();
+    for (std::size_t i = 0; i < fields.size() && !block_.damaged; ++i) {
+        if (fields[i]->standard != required || given_[i].statement != nullptr) continue;
+        good_ = false;
+        evaluator_.report().error(Message::property_missing, place(),
+                                  with_article(word_.info->title()), fields[i]->name);
+    }
+    return good_;
+}
+
+}  // namespace lancer

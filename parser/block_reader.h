@@ -1,0 +1,79 @@
+// Reads the properties of one block into plain structs, by its table of fields.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/evaluator.h"
+
+namespace lancer {
+
+class BlockReader {
+  public:
+    BlockReader(Evaluator& evaluator, const ast::File& file, const ast::Statement& block,
+                const BlockWord& word);
+
+    /// Reads every property into the struct its table is for: `own` for the block's own fields,
+    /// `shared` for those it shares. Returns false after an error, each reported; then the block is
+    /// not to be used.
+    bool read(void* own, void* shared = nullptr);
+
+    /// Whether a property was given, and where its value stands (the block's word, if not given).
+    bool has(std::string_view property) const { return find(property) != nullptr; }
+    SourceSpan place(std::string_view property) const;
+    SourceSpan place() const { return file_.span(block_); }
+
+    /// Reports an error about the block and makes it unusable.
+    template <class... Args>
+    Diagnostic* error(Message message, const SourceSpan& where, const Args&... args) {
+        good_ = false;
+        return evaluator_.report().error(message, where, args...);
+    }
+    template <class... Args>
+    void warning(Message message, const SourceSpan& where, const Args&... args) {
+        evaluator_.report().warning(message, where, args...);
+    }
+    bool good() const { return good_; }
+
+    Evaluator& evaluator() { return evaluator_; }
+    SceneBuilder& builder() { return evaluator_.builder(); }
+    Meter& meter() { return evaluator_.meter(); }
+    const BlockWord& word() const { return word_; }
+    /// The second word: a camera's, material's or texture's name.
+    std::string_view name() const;
+    SourceSpan name_place() const { return file_.name_span(block_); }
+    /// A file name in the script as a path.
+    std::string resolve_path(std::string_view path) const {
+        return evaluator_.resolve_path(file_, path);
+    }
+
+    /// Value of a property by its table, with all errors reported. False: do not use it.
+    static bool read_property(Evaluator& evaluator, const ast::File& file,
+                              const ast::Statement& property, const Field& field, void* owner);
+    /// Reports a property that the block does not know, with what is near.
+    static void report_unknown(Evaluator& evaluator, const ast::File& file,
+                               const ast::Statement& property, const PropertySet& known,
+                               const std::string& title);
+
+  private:
+    struct Given {
+        const ast::Statement* statement = nullptr;
+    };
+    const ast::Statement* find(std::string_view property) const;
+    void read_statement(const ast::Statement& statement, void* own, void* shared);
+
+    Evaluator& evaluator_;
+    const ast::File& file_;
+    const ast::Statement& block_;
+    const BlockWord& word_;
+    std::vector<Given> given_;  ///< by index of the property
+    bool good_ = true;
+};
+
+/// What a block becomes. `result`, for materials and textures, is the index of what was made.
+using MakeBlock = void (*)(BlockReader& block, std::uint32_t& result);
+/// By keyword and, for lights, kind.
+MakeBlock maker_of(const BlockInfo& block);
+
+}  // namespace lancer

@@ -1,0 +1,65 @@
+#include "parser/blocks/blocks.h"
+
+#include <vector>
+
+#include "parser/blocks/attributes.h"
+
+namespace lancer {
+namespace blocks {
+
+const BlockInfo group{"group",
+                      "",
+                      {},
+                      attribute_fields,
+                      "objects, lights and statements that transforms move together",
+                      true};
+
+}  // namespace blocks
+
+namespace {
+
+struct Entry {
+    const BlockInfo* info;
+    MakeBlock make;
+};
+
+/// In the order of the manual.
+constexpr Entry entries[] = {
+    {&blocks::file, nullptr},
+    {&blocks::image, blocks::make_image},
+    {&blocks::render, blocks::make_render},
+    {&blocks::camera, blocks::make_camera},
+    {&blocks::point_light, blocks::make_point_light},
+    {&blocks::directional_light, blocks::make_directional_light},
+    {&blocks::spot_light, blocks::make_spot_light},
+    {&blocks::sphere, blocks::make_sphere},
+    {&blocks::box, blocks::make_box},
+    {&blocks::cylinder, blocks::make_cylinder},
+    {&blocks::cone, blocks::make_cone},
+    {&blocks::plane, blocks::make_plane},
+    {&blocks::triangle, blocks::make_triangle},
+    {&blocks::mesh, blocks::make_mesh},
+    {&blocks::patch, blocks::make_patch},
+    {&blocks::lathe, blocks::make_lathe},
+    {&blocks::prism, blocks::make_prism},
+    {&blocks::group, nullptr},
+    {&blocks::material, blocks::make_material},
+    {&blocks::texture, blocks::make_texture},
+};
+
+}  // namespace
+
+std::span<const BlockInfo> all_blocks() {
+    static const std::vector<BlockInfo> all = [] {
+        std::vector<BlockInfo> list;
+        for (const Entry& entry : entries) list.push_back(*entry.info);
+        return list;
+    }();
+    return all;
+}
+
+MakeBlock maker_of(const BlockInfo& block) {
+    return entries[static_cast<std::size_t>(&block - all_blocks().data())].make;
+}
+
+}  // namespace lancer

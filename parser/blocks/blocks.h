@@ -1,0 +1,52 @@
+// Every block of the language: its table of fields and what it becomes. To add one, add a line to
+// each list in blocks.cpp and a file beside it.
+#pragma once
+
+#include "parser/block_reader.h"
+#include "parser/field.h"
+
+namespace lancer::blocks {
+
+// The scene's own blocks: scene_blocks.cpp
+extern const BlockInfo file, image, render, camera;
+void make_image(BlockReader& block, std::uint32_t& result);
+void make_render(BlockReader& block, std::uint32_t& result);
+void make_camera(BlockReader& block, std::uint32_t& result);
+
+// lights.cpp
+extern const BlockInfo point_light, directional_light, spot_light;
+void make_point_light(BlockReader& block, std::uint32_t& result);
+void make_directional_light(BlockReader& block, std::uint32_t& result);
+void make_spot_light(BlockReader& block, std::uint32_t& result);
+
+// solids.cpp
+extern const BlockInfo sphere, box, cylinder, cone, plane, triangle;
+void make_sphere(BlockReader& block, std::uint32_t& result);
+void make_box(BlockReader& block, std::uint32_t& result);
+void make_cylinder(BlockReader& block, std::uint32_t& result);
+void make_cone(BlockReader& block, std::uint32_t& result);
+void make_plane(BlockReader& block, std::uint32_t& result);
+void make_triangle(BlockReader& block, std::uint32_t& result);
+
+// mesh.cpp
+extern const BlockInfo mesh;
+void make_mesh(BlockReader& block, std::uint32_t& result);
+
+// splines.cpp
+extern const BlockInfo patch, lathe, prism;
+void make_patch(BlockReader& block, std::uint32_t& result);
+void make_lathe(BlockReader& block, std::uint32_t& result);
+void make_prism(BlockReader& block, std::uint32_t& result);
+
+// group.cpp; the evaluator runs its statements itself
+extern const BlockInfo group;
+
+// material.cpp
+extern const BlockInfo material;
+void make_material(BlockReader& block, std::uint32_t& result);
+
+// texture.cpp
+extern const BlockInfo texture;
+void make_texture(BlockReader& block, std::uint32_t& result);
+
+}  // namespace lancer::blocks

@@ -1,0 +1,146 @@
+// image, render, camera, background and ambient.
+#include <limits>
+
+#include "model/scene.h"
+#include "parser/blocks/blocks.h"
+#include "parser/rules.h"
+
+namespace lancer {
+namespace rules {
+
+enum class ProjectionKind { perspective, orthographic };
+
+template <>
+struct Words<ProjectionKind> {
+    static constexpr std::string_view takes = "perspective or orthographic";
+    static constexpr std::array<std::string_view, 2> words{"perspective", "orthographic"};
+    static constexpr std::array values{ProjectionKind::perspective, ProjectionKind::orthographic};
+};
+
+}  // namespace rules
+
+namespace blocks {
+namespace {
+
+struct ImageSize {
+    int width = 640;
+    int height = 480;
+};
+
+struct CameraSpec {
+    Vec3d position{0, 0, 0};
+    Vec3d look_at{0, 0, 0};
+    Vec3d up{0, 1, 0};
+    rules::ProjectionKind projection = rules::ProjectionKind::perspective;
+    double fov = PerspectiveProjection{}.fov;
+    double height = 0;
+};
+
+constexpr Field file_fields[] = {
+    field<&Scene::background, rules::ColorRule>("background", "[0, 0, 0]",
+                                                "what rays bring that hit nothing"),
+    field<&Scene::ambient, rules::ColorRule>("ambient", "[1, 1, 1]",
+                                             "light that comes from everywhere"),
+};
+constexpr Field image_fields[] = {
+    field<&ImageSize::width, rules::PixelCount>("width", "640", "pixels"),
+    field<&ImageSize::height, rules::PixelCount>("height", "480", "pixels"),
+};
+constexpr Field render_fields[] = {
+    field<&Settings::max_depth, rules::Depth>("max_depth", "8",
+                                              "levels of recursion; 1: primary rays only"),
+    field<&Settings::min_contribution, rules::NotNegative>(
+        "min_contribution", "0.002", "a branch of less weight is not followed; 0: all are"),
+    field<&Settings::samples, rules::Depth>("samples", "1",
+                                            "n: a regular grid of n x n rays per pixel"),
+    field<&Settings::shadows, rules::Flag>("shadows", "true", "false: lights pass through all"),
+    field<&Settings::smooth, rules::Flag>("smooth", "true",
+                                          "false: no interpolated normals, faster"),
+    field<&Settings::textures, rules::Flag>("textures", "true", "false: plain colours"),
+    field<&Settings::tolerance, rules::Positive>(
+        "tolerance", "1/2000 of the control hull's diagonal",
+        "how far a tessellated surface may be from the true one"),
+};
+constexpr Field camera_fields[] = {
+    field<&CameraSpec::position, rules::Vector>("position", required, "where it stands"),
+    field<&CameraSpec::look_at, rules::Vector>("look_at", required,
+                                               "what is in the picture's middle"),
+    field<&CameraSpec::up, rules::Direction>("up", "[0, 1, 0]", "what is up in the picture"),
+    field<&CameraSpec::fov, rules::FieldOfView>("fov", "40", "full vertical angle, degrees"),
+    field<&CameraSpec::projection, rules::WordRule<rules::ProjectionKind>>(
+        "projection", "perspective", "or orthographic"),
+    field<&CameraSpec::height, rules::Positive>("height", "none",
+                                                "of an orthographic picture, in scene units"),
+};
+
+using Extended = Vec3<long double>;
+
+/// Parallel, or so nearly that the cross product is all rounding error. Relative to the lengths.
+bool are_parallel(const Vec3d& a, const Extended& b) {
+    const Extended x = convert<long double>(a);
+    constexpr long double rounding = 4 * std::numeric_limits<double>::epsilon();
+    return length(cross(x, b)) <= rounding * length(x) * length(b);
+}
+
+}  // namespace
+
+const BlockInfo file{"", "", file_fields, {}, "what stands in the file itself"};
+const BlockInfo image{"image", "", image_fields, {}, "size of the picture"};
+const BlockInfo render{"render", "", render_fields, {}, "how to render; the command line wins"};
+const BlockInfo camera{
+    "camera", "", camera_fields, {}, "a point of view; the first is the default"};
+
+void make_image(BlockReader& block, std::uint32_t&) {
+    Evaluator& evaluator = block.evaluator();
+    if (evaluator.is_repeated("image", evaluator.image_place, block.place())) return;
+    ImageSize size;
+    if (!block.read(&size)) return;
+    block.builder().scene.width = size.width;
+    block.builder().scene.height = size.height;
+}
+
+void make_render(BlockReader& block, std::uint32_t&) {
+    Evaluator& evaluator = block.evaluator();
+    if (evaluator.is_repeated("render", evaluator.render_place, block.place())) return;
+    block.read(&block.builder().scene.settings);
+}
+
+void make_camera(BlockReader& block, std::uint32_t&) {
+    CameraSpec spec;
+    block.read(&spec);
+    const bool orthographic = spec.projection == rules::ProjectionKind::orthographic;
+    if (orthographic && block.has("fov"))
+        block.error(Message::fov_of_orthographic, block.place("fov"));
+    if (!orthographic && block.has("height"))
+        block.error(Message::height_of_perspective, block.place("height"));
+    if (orthographic && !block.has("height") && block.good())
+        block.error(Message::height_missing, block.place());
+    if (!block.evaluator().is_new_camera(std::string(block.name()), block.name_place()) ||
+        !block.good())
+        return;
+    const Extended view = convert<long double>(spec.look_at) - convert<long double>(spec.position);
+    if (view == Extended(0, 0, 0)) {
+        block.error(Message::look_at_is_position, block.place("look_at"));
+    } else if (are_parallel(spec.up, view)) {
+        Diagnostic* error = block.error(
+            Message::up_along_view, block.has("up") ? block.place("up") : block.place("look_at"));
+        if (error != nullptr && !block.has("up"))
+            error->hint = "up is [0, 1, 0] unless it is given";
+    }
+    if (!block.good()) return;
+    Camera made;
+    made.name = block.name();
+    made.position = spec.position;
+    made.look_at = spec.look_at;
+    made.up = spec.up;
+    if (orthographic) {
+        made.projection = OrthographicProjection{spec.height};
+    } else {
+        made.projection = PerspectiveProjection{spec.fov};
+    }
+    made.place = block.place();
+    block.builder().add(made);
+}
+
+}  // namespace blocks
+}  // namespace lancer

@@ -1,0 +1,173 @@
+#include "model/scene.h"
+#include "parser/blocks/blocks.h"
+#include "parser/rules.h"
+
+namespace lancer {
+namespace rules {
+
+template <>
+struct Words<ImageTexture::Mapping> {
+    static constexpr std::string_view takes = "one of planar, spherical, cylindrical, uv";
+    static constexpr std::array<std::string_view, 4> words{"planar", "spherical", "cylindrical",
+                                                           "uv"};
+    static constexpr std::array values{
+        ImageTexture::Mapping::planar, ImageTexture::Mapping::spherical,
+        ImageTexture::Mapping::cylindrical, ImageTexture::Mapping::uv};
+};
+template <>
+struct Words<ImageTexture::Filter> {
+    static constexpr std::string_view takes = "nearest or bilinear";
+    static constexpr std::array<std::string_view, 2> words{"nearest", "bilinear"};
+    static constexpr std::array values{ImageTexture::Filter::nearest,
+                                       ImageTexture::Filter::bilinear};
+};
+template <>
+struct Words<ImageTexture::Wrap> {
+    static constexpr std::string_view takes = "repeat or once";
+    static constexpr std::array<std::string_view, 2> words{"repeat", "once"};
+    static constexpr std::array values{ImageTexture::Wrap::repeat, ImageTexture::Wrap::once};
+};
+template <>
+struct Words<io::ColorSpace> {
+    static constexpr std::string_view takes = "srgb or linear";
+    static constexpr std::array<std::string_view, 2> words{"srgb", "linear"};
+    static constexpr std::array values{io::ColorSpace::automatic, io::ColorSpace::linear};
+};
+
+struct TwoColors {
+    static constexpr std::string_view takes = "a list of two colours without negative parts";
+    static bool read(const Value& value, Checker& out, std::string& instead) {
+        return value.is_list() && value.size() == 2 &&
+               ColorRule::read(value.at(0), out.even, instead) &&
+               ColorRule::read(value.at(1), out.odd, instead);
+    }
+};
+
+struct Stops {
+    static constexpr std::string_view takes = "a list of stops, each [number, colour], one or more";
+    static bool read(const Value& value, std::vector<Gradient::Stop>& out, std::string& instead) {
+        return read_list(value, out, instead,
+                         [&](const Value& stop, Gradient::Stop& to) {
+                             std::string ignored;
+                             if (!stop.is_list() || stop.size() != 2 || !stop.at(0).is_number())
+                                 return false;
+                             to.at = stop.at(0).number();
+                             return ColorRule::read(stop.at(1), to.color, ignored);
+                         }) &&
+               !out.empty();
+    }
+};
+
+}  // namespace rules
+
+namespace blocks {
+namespace {
+
+struct TextureSpec {
+    std::string image;
+    ImageTexture::Mapping mapping = ImageTexture{}.mapping;
+    ImageTexture::Filter filter = ImageTexture{}.filter;
+    ImageTexture::Wrap wrap = ImageTexture{}.wrap;
+    io::ColorSpace color_space = io::ColorSpace::automatic;
+    Checker checker;
+    Vec3d gradient{0, 1, 0};
+    std::vector<Gradient::Stop> stops;
+    TransformList transforms;
+};
+
+constexpr Field texture_fields[] = {
+    field<&TextureSpec::image, rules::String>("image", "none", "file of an image"),
+    field<&TextureSpec::mapping, rules::WordRule<ImageTexture::Mapping>>(
+        "mapping", "planar", "how the image is laid on: planar, spherical, cylindrical, uv"),
+    field<&TextureSpec::filter, rules::WordRule<ImageTexture::Filter>>(
+        "filter", "bilinear", "between texels: nearest or bilinear"),
+    field<&TextureSpec::wrap, rules::WordRule<ImageTexture::Wrap>>(
+        "wrap", "repeat", "repeat, or once: see-through outside"),
+    field<&TextureSpec::color_space, rules::WordRule<io::ColorSpace>>(
+        "color_space", "srgb", "linear: take the image's numbers as they stand"),
+    field<&TextureSpec::checker, rules::TwoColors>("checker", "none", "two colours of unit cubes"),
+    field<&TextureSpec::gradient, rules::Direction>("gradient", "none",
+                                                    "the axis along which the stops repeat"),
+    field<&TextureSpec::stops, rules::Stops>("stops", "none", "places from 0 to 1 with colours"),
+    repeated_field<&TextureSpec::transforms, transform_rules::Translate>("translate",
+                                                                         "moves it by a vector"),
+    repeated_field<&TextureSpec::transforms, transform_rules::Scale>("scale",
+                                                                     "scales it about the origin"),
+    repeated_field<&TextureSpec::transforms, transform_rules::RotateX>("rotate_x",
+                                                                       "turns it about the x axis"),
+    repeated_field<&TextureSpec::transforms, transform_rules::RotateY>("rotate_y",
+                                                                       "turns it about the y axis"),
+    repeated_field<&TextureSpec::transforms, transform_rules::RotateZ>("rotate_z",
+                                                                       "turns it about the z axis"),
+    repeated_field<&TextureSpec::transforms, transform_rules::Rotate>(
+        "rotate", "turns it about an axis through the origin"),
+    repeated_field<&TextureSpec::transforms, transform_rules::Matrix>("matrix",
+                                                                      "three rows of four numbers"),
+};
+
+/// An option of one pattern given to another.
+void refuse(BlockReader& block, std::initializer_list<std::string_view> options,
+            std::string_view pattern) {
+    if (block.has(pattern)) return;
+    for (const std::string_view option : options)
+        if (block.has(option))
+            block.error(Message::texture_option, block.place(option), option, pattern);
+}
+
+/// The index in the scene of an image, loaded once however often it is named.
+bool find_image(BlockReader& block, const TextureSpec& spec, std::uint32_t& index) {
+    const std::string path = block.resolve_path(spec.image);
+    const bool srgb = spec.color_space == io::ColorSpace::automatic;
+    auto& images = block.builder().scene.images;
+    auto& indices = block.builder().image_indices;
+    const auto known = indices.find({path, srgb});
+    if (known != indices.end()) {
+        index = known->second;
+        return true;
+    }
+    const auto pixels = block.evaluator().load_image(path, spec.color_space, block.place("image"));
+    if (pixels == nullptr) return false;
+    index = static_cast<std::uint32_t>(images.size());
+    indices[{path, srgb}] = index;
+    images.push_back({path, srgb, pixels});
+    return true;
+}
+
+}  // namespace
+
+const BlockInfo texture{"texture", "", texture_fields, {}, "a pattern of colours"};
+
+void make_texture(BlockReader& block, std::uint32_t& result) {
+    TextureSpec spec;
+    block.read(&spec);
+    const int patterns = block.has("image") + block.has("checker") + block.has("gradient");
+    refuse(block, {"mapping", "filter", "wrap", "color_space"}, "image");
+    refuse(block, {"stops"}, "gradient");
+    if (patterns != 1 && block.good()) block.error(Message::texture_patterns, block.place());
+    if (block.has("gradient") && !block.has("stops") && block.good())
+        block.error(Message::stops_missing, block.place("gradient"));
+    for (std::size_t i = 1; i < spec.stops.size() && block.good(); ++i)
+        if (spec.stops[i].at < spec.stops[i - 1].at)
+            block.error(Message::stops_order, block.place("stops"), to_text(spec.stops[i].at),
+                        to_text(spec.stops[i - 1].at));
+    if (!block.good()) return;
+    Texture made;
+    if (spec.transforms.given && (is_singular(spec.transforms.map) ||
+                                  !round_transform(spec.transforms.map, made.to_object))) {
+        block.error(Message::transform_singular, block.place());
+        return;
+    }
+    if (block.has("image")) {
+        ImageTexture pattern{0, spec.mapping, spec.filter, spec.wrap};
+        if (!find_image(block, spec, pattern.image)) return;
+        made.pattern = pattern;
+    } else if (block.has("checker")) {
+        made.pattern = spec.checker;
+    } else {
+        made.pattern = Gradient{spec.gradient, spec.stops};
+    }
+    result = block.builder().add(made, block.place());
+}
+
+}  // namespace blocks
+}  // namespace lancer

@@ -1,0 +1,211 @@
+#include "parser/builder.h"
+
+#include <algorithm>
+
+#include "parser/scan.h"
+
+namespace lancer::grammar {
+
+using Kind = ast::Statement::Kind;
+
+Builder::Builder(ast::File& file, std::string_view text, Symbols& symbols,
+                 const Vocabulary& vocabulary, std::uint64_t nesting_limit, Report& report)
+    : file_(file),
+      text_(text),
+      symbols_(symbols),
+      vocabulary_(vocabulary),
+      nesting_limit_(nesting_limit),
+      report_(report),
+      last_end_(text.data()) {
+    contexts_.push_back({&vocabulary.in_statements(), false, false, nullptr, 0});
+}
+
+SourceSpan Builder::span(const char* begin, const char* end) const {
+    return file_.span(offset_of(begin), static_cast<std::uint32_t>(end - begin));
+}
+
+void Builder::deeper(const char* at) {
+    if (nesting_ >= nesting_limit_) throw SyntaxError{Message::nesting_limit, at};
+    ++nesting_;
+}
+
+std::string_view Builder::word_at(const char* at) const {
+    const std::string_view rest = text_.substr(offset_of(at));
+    if (rest.empty() || !scan::is_name_start(rest[0])) return {};
+    std::size_t length = 1;
+    while (length < rest.size() && scan::is_name_part(rest[length])) ++length;
+    const std::string_view word = rest.substr(0, length);
+    return scan::is_reserved(word) ? std::string_view{} : word;
+}
+
+bool Builder::knows_property(std::string_view word) {
+    return contexts_.back().properties->knows(symbols_.intern(word));
+}
+
+bool Builder::knows_block(std::string_view word) {
+    return vocabulary_.is_block(symbols_.intern(word));
+}
+
+bool Builder::block_being_opened_knows(const char*, std::string_view word) {
+    const ast::Statement& block = building_.back();
+    return vocabulary_.properties(block.word, block.name).knows(symbols_.intern(word));
+}
+
+std::size_t Builder::blank_length(const char* at) const {
+    const std::size_t from = offset_of(at);
+    return scan::skip_blanks(text_, from) - from;
+}
+
+bool Builder::value_is_left_out(const char* at) {
+    const std::string_view word = word_at(at);
+    if (word.empty() || !knows_property(word)) return false;
+    const auto next = scan::next_token(text_, offset_of(at) + word.size());
+    using Token = scan::Token::Kind;
+    return next.kind == Token::number || next.kind == Token::string;
+}
+
+bool Builder::is_outer_statement(const char* at) {
+    const Context& context = contexts_.back();
+    if (!context.properties_only) return false;
+    const std::size_t offset = offset_of(at);
+    if (offset >= text_.size() || !scan::is_name_start(text_[offset]) ||
+        !scan::is_first_on_line(text_, offset))
+        return false;
+    const auto word = scan::next_token(text_, offset);
+    const std::string_view text = text_.substr(offset, word.end - offset);
+    if (scan::indentation(text_, offset) > scan::indentation(text_, offset_of(context.opener)))
+        return false;
+    return scan::begins_statement(text) || (knows_block(text) && !knows_property(text));
+}
+
+void Builder::comment(const char* begin, const char* end) {
+    const std::uint32_t offset = offset_of(begin);
+    // Blanks are read again after a lookahead; a comment counts once.
+    if (!file_.comments.empty() && file_.comments.back().offset >= offset) return;
+    file_.comments.push_back({offset, static_cast<std::uint32_t>(end - begin)});
+}
+
+void Builder::begin_statement(Kind kind, const char* begin, const char* end) {
+    ast::Statement& statement = building_.emplace_back();
+    const std::string_view word(begin, static_cast<std::size_t>(end - begin));
+    statement.kind = kind;
+    statement.word = symbols_.intern(word);
+    statement.offset = offset_of(begin);
+    statement.length = static_cast<std::uint32_t>(word.size());
+    const auto arguments = static_cast<std::uint32_t>(file_.arguments.size());
+    statement.arguments = {arguments, arguments};
+}
+
+void Builder::statement_name(const char* begin, const char* end) {
+    const std::string_view name(begin, static_cast<std::size_t>(end - begin));
+    ast::Statement& statement = building_.back();
+    statement.name = symbols_.intern(name);
+    statement.name_offset = offset_of(begin);
+    statement.name_length = static_cast<std::uint32_t>(name.size());
+}
+
+void Builder::parameter(const char* begin, const char* end) {
+    const std::string_view name(begin, static_cast<std::size_t>(end - begin));
+    file_.arguments.push_back(
+        {symbols_.intern(name), offset_of(begin), static_cast<std::uint32_t>(name.size()), {}});
+}
+
+void Builder::default_value() {
+    file_.arguments.back().value = last_value_;
+}
+
+void Builder::part() {
+    file_.arguments.push_back({no_symbol, 0, 0, last_value_});
+}
+
+void Builder::argument() {
+    ast::Argument argument;
+    if (!labels_.empty()) {
+        argument = labels_.back();
+        labels_.pop_back();
+    }
+    argument.value = last_value_;
+    file_.arguments.push_back(argument);
+}
+
+void Builder::begin_body() {
+    ast::Statement& owner = building_.back();
+    owner.arguments.end = static_cast<std::uint32_t>(file_.arguments.size());
+    Context context;
+    context.pending = pending_.size();
+    context.opener = text_.data() + owner.offset;
+    switch (owner.kind) {
+        case Kind::block:
+            context.properties = &vocabulary_.properties(owner.word, owner.name);
+            context.properties_only =
+                vocabulary_.is_block(owner.word) && owner.word != vocabulary_.group;
+            break;
+        case Kind::def:
+            context.properties = &vocabulary_.in_statements();
+            break;
+        default:
+            context.properties = contexts_.back().properties;
+            break;
+    }
+    contexts_.push_back(context);
+}
+
+ast::Range Builder::flush(std::size_t from) {
+    const auto begin = static_cast<std::uint32_t>(file_.statements.size());
+    const auto first = pending_.begin() + static_cast<std::ptrdiff_t>(from);
+    file_.statements.insert(file_.statements.end(), first, pending_.end());
+    pending_.erase(first, pending_.end());
+    return {begin, static_cast<std::uint32_t>(file_.statements.size())};
+}
+
+void Builder::end_body(const char* at, bool closed) {
+    Context context = contexts_.back();
+    contexts_.pop_back();
+    if (!closed) {
+        context.damaged = true;
+        if (!cut_short_) {
+            const SourceSpan where = span_of_token(at);
+            if (Diagnostic* error =
+                    report_.error(Message::missing_close_brace, where, found_at(at))) {
+                const ast::Statement& owner = building_.back();
+                error->notes.push_back(Report::note(Message::opened_here, file_.span(owner)));
+            }
+            cut_short_ = offset_of(at) >= text_.size();
+        }
+    }
+    const ast::Range body = flush(context.pending);
+    ast::Statement& owner = building_.back();
+    owner.damaged |= context.damaged;
+    (owner.has_otherwise ? owner.otherwise : owner.body) = body;
+}
+
+void Builder::begin_else() {
+    building_.back().has_otherwise = true;
+    else_marks_.push_back(pending_.size());
+}
+
+void Builder::end_else() {
+    // `else if`: the inner statement alone is the body.
+    if (pending_.size() > else_marks_.back())
+        building_.back().otherwise = flush(else_marks_.back());
+    else_marks_.pop_back();
+}
+
+void Builder::end_statement() {
+    ast::Statement& statement = building_.back();
+    if (statement.body.empty() && statement.kind != Kind::block && statement.kind != Kind::def &&
+        statement.kind != Kind::loop && statement.kind != Kind::choice)
+        statement.arguments.end = static_cast<std::uint32_t>(file_.arguments.size());
+    if (!brackets_.empty() && statement.kind == Kind::call) {
+        brackets_.pop_back();
+        counts_.pop_back();
+    }
+    pending_.push_back(statement);
+    building_.pop_back();
+}
+
+void Builder::end_file() {
+    file_.body = flush(0);
+}
+
+}  // namespace lancer::grammar

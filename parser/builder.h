@@ -1,0 +1,171 @@
+// Puts the AST together while the grammar reads. Knows no PEGTL: the grammar's actions tell it what
+// was read, the grammar's rules ask it what only the context can say.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "parser/ast.h"
+#include "parser/report.h"
+#include "parser/vocabulary.h"
+
+namespace lancer::grammar {
+
+/// Thrown where the text stops being a script; caught by the statement around.
+struct SyntaxError {
+    Message message;
+    const char* at;
+};
+
+class Builder {
+  public:
+    Builder(ast::File& file, std::string_view text, Symbols& symbols, const Vocabulary& vocabulary,
+            std::uint64_t nesting_limit, Report& report);
+
+    // --- Asked by rules (grammar_rules.h)
+
+    std::uint32_t offset_of(const char* at) const {
+        return static_cast<std::uint32_t>(at - text_.data());
+    }
+    /// The name at `at`, empty where none stands or it is a reserved word.
+    std::string_view word_at(const char* at) const;
+    bool knows_property(std::string_view word);
+    bool knows_block(std::string_view word);
+    bool block_being_opened_knows(const char* at, std::string_view word);
+    bool value_is_left_out(const char* at);
+    bool is_outer_statement(const char* at);
+    /// Length of the blanks and comments from `at` on.
+    std::size_t blank_length(const char* at) const;
+    void report_stray(const char* at);
+    void missing_open_brace(const char* at);
+    void end_body(const char* at, bool closed);
+
+    /// One level of nesting while it lives.
+    class Nesting {
+      public:
+        Nesting(Builder& builder, const char* at) : builder_(builder) { builder.deeper(at); }
+        ~Nesting() { --builder_.nesting_; }
+        Nesting(const Nesting&) = delete;
+        Nesting& operator=(const Nesting&) = delete;
+
+      private:
+        Builder& builder_;
+    };
+
+    // --- Recovery
+
+    struct Mark {
+        const char* at = nullptr;
+        std::size_t building, pending, contexts, arguments, steps, operators, bases, branches,
+            counts, brackets, labels, callees, values, else_marks;
+        std::uint64_t nesting;
+    };
+    Mark mark(const char* at) const;
+    /// Reports the error, drops what was read since the mark, returns where to go on.
+    const char* recover(const Mark& mark, const SyntaxError& error);
+
+    // --- Told by actions (actions.h): expressions
+
+    void comment(const char* begin, const char* end);
+    void comment_open(const char* at) { comment_open_ = at; }
+    void string_open(const char* at) { string_open_ = at; }
+    void number(const char* begin, const char* end);
+    void string(const char* begin, const char* end);
+    void color(const char* begin, const char* end);
+    void boolean(const char* begin, const char* end, bool value);
+    void callee(const char* begin, const char* end);
+    void plain_name();
+    void open_bracket(const char* at);
+    void open_list(const char* at);
+    void element() { ++counts_.back(); }
+    void label(const char* begin, const char* end);
+    void end_labelled();
+    void end_list(const char* end);
+    void end_call(const char* end);
+    void end_index(const char* end);
+    void end_parentheses(const char* end);
+    void member(const char* begin, const char* end);
+    void prefix(const char* at);
+    void infix(const char* begin, const char* end);
+    void begin_chain() { bases_.push_back(operators_.size()); }
+    void end_chain();
+    void question(const char* at);
+    void colon(const char* at);
+    void end_alternatives();
+    void begin_value(const char* at);
+    void end_value();
+
+    // --- Told by actions: statements
+
+    void begin_statement(ast::Statement::Kind kind, const char* begin, const char* end);
+    void statement_name(const char* begin, const char* end);
+    void end_parameters() { brackets_.pop_back(); }
+    void parameter(const char* begin, const char* end);
+    void default_value();
+    void part();
+    void argument();
+    void begin_body();
+    void begin_else();
+    void end_else();
+    void end_statement();
+    /// The file's own statements are complete.
+    void end_file();
+
+    ast::Expression last_value() const { return last_value_; }
+
+  private:
+    friend class Nesting;
+
+    struct PendingOperator {
+        ast::Op op;
+        std::uint8_t precedence;
+        const char* begin;
+        const char* end;
+        std::uint32_t branch;  ///< the step whose jump it ends, for && and ||
+    };
+    struct Context {
+        const PropertySet* properties = nullptr;
+        bool properties_only = false;
+        bool damaged = false;
+        const char* opener = nullptr;
+        std::size_t pending = 0;
+    };
+
+    void deeper(const char* at);
+    void emit(ast::Op op, const char* begin, const char* end, std::uint64_t payload);
+    void pop_operator();
+    ast::Range flush(std::size_t from);
+    SourceSpan span(const char* begin, const char* end) const;
+    std::string found_at(const char* at) const;
+    SourceSpan span_of_token(const char* at) const;
+    void report(const Mark& mark, const SyntaxError& error);
+
+    ast::File& file_;
+    std::string_view text_;
+    Symbols& symbols_;
+    const Vocabulary& vocabulary_;
+    std::uint64_t nesting_limit_;
+    Report& report_;
+
+    std::vector<ast::Statement> building_;
+    std::vector<ast::Statement> pending_;
+    std::vector<Context> contexts_;
+    std::vector<PendingOperator> operators_;
+    std::vector<std::size_t> bases_;
+    std::vector<std::uint32_t> branches_;
+    std::vector<std::uint32_t> counts_;
+    std::vector<const char*> brackets_;
+    std::vector<ast::Argument> labels_;
+    std::vector<ast::Step> callees_;
+    std::vector<ast::Expression> values_;
+    std::vector<std::size_t> else_marks_;
+    ast::Expression last_value_;
+    std::uint64_t nesting_ = 0;
+    const char* last_end_;  ///< of the last token of an expression
+    const char* comment_open_ = nullptr;
+    const char* string_open_ = nullptr;
+    bool cut_short_ = false;  ///< the text ended too early, and that was said
+};
+
+}  // namespace lancer::grammar

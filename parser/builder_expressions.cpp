@@ -1,0 +1,242 @@
+// The builder's part for expressions: a flat chain of operands and operators becomes postfix steps
+// by precedence (Dijkstra's shunting yard), so long chains need no recursion.
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "parser/builder.h"
+#include "parser/scan.h"
+
+namespace lancer::grammar {
+namespace {
+
+using ast::Op;
+
+struct Binding {
+    std::string_view text;
+    Op op;
+    std::uint8_t precedence;
+};
+
+constexpr std::uint8_t unary_precedence = 7;
+constexpr std::uint8_t power_precedence = 8;
+
+/// Weakest first, as in the manual.
+constexpr Binding bindings[] = {
+    {"||", Op::or_end, 1},     {"&&", Op::and_end, 2},
+    {"==", Op::equal, 3},      {"!=", Op::not_equal, 3},
+    {"<=", Op::less_equal, 4}, {">=", Op::greater_equal, 4},
+    {"<", Op::less, 4},        {">", Op::greater, 4},
+    {"+", Op::add, 5},         {"-", Op::subtract, 5},
+    {"*", Op::multiply, 6},    {"/", Op::divide, 6},
+    {"%", Op::modulo, 6},      {"^", Op::power, power_precedence},
+};
+
+constexpr std::uint64_t pair(std::uint64_t low, std::uint64_t high) {
+    return low | high << 32;
+}
+
+}  // namespace
+
+void Builder::emit(Op op, const char* begin, const char* end, std::uint64_t payload) {
+    const auto length = std::min<std::ptrdiff_t>(end - begin, 0xFFFF);
+    file_.steps.push_back({payload, offset_of(begin), static_cast<std::uint16_t>(length), op});
+    last_end_ = std::max(last_end_, end);
+}
+
+void Builder::number(const char* begin, const char* end) {
+    double value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc{} || stop != end) throw SyntaxError{Message::number_out_of_range, begin};
+    emit(Op::number, begin, end, std::bit_cast<std::uint64_t>(value));
+}
+
+void Builder::string(const char* begin, const char* end) {
+    const std::string_view inside(begin + 1, static_cast<std::size_t>(end - begin) - 2);
+    Symbol symbol = no_symbol;
+    if (inside.find('\\') == std::string_view::npos) {
+        symbol = symbols_.intern(inside);
+    } else {
+        std::string plain;
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            char c = inside[i];
+            if (c == '\\') {
+                c = inside[++i];
+                if (c == 'n') c = '\n';
+                if (c == 't') c = '\t';
+            }
+            plain += c;
+        }
+        symbol = symbols_.intern(plain);
+    }
+    emit(Op::text, begin, end, symbol);
+}
+
+void Builder::color(const char* begin, const char* end) {
+    std::uint32_t value = 0;
+    std::from_chars(begin + 1, end, value, 16);
+    emit(Op::color, begin, end, value);
+}
+
+void Builder::boolean(const char* begin, const char* end, bool value) {
+    emit(value ? Op::yes : Op::no, begin, end, 0);
+}
+
+void Builder::callee(const char* begin, const char* end) {
+    const std::string_view name(begin, static_cast<std::size_t>(end - begin));
+    const auto length = static_cast<std::uint16_t>(std::min<std::size_t>(name.size(), 0xFFFF));
+    callees_.push_back({symbols_.intern(name), offset_of(begin), length, Op::name});
+    last_end_ = end;
+}
+
+void Builder::plain_name() {
+    file_.steps.push_back(callees_.back());
+    callees_.pop_back();
+}
+
+void Builder::open_bracket(const char* at) {
+    brackets_.push_back(at);
+}
+
+void Builder::open_list(const char* at) {
+    brackets_.push_back(at);
+    counts_.push_back(0);
+}
+
+void Builder::label(const char* begin, const char* end) {
+    const std::string_view name(begin, static_cast<std::size_t>(end - begin));
+    labels_.push_back(
+        {symbols_.intern(name), offset_of(begin), static_cast<std::uint32_t>(name.size()), {}});
+}
+
+void Builder::end_labelled() {
+    const ast::Argument label = labels_.back();
+    labels_.pop_back();
+    const char* at = text_.data() + label.offset;
+    emit(Op::named, at, at + label.length, label.name);
+}
+
+void Builder::end_list(const char* end) {
+    emit(Op::list, brackets_.back(), end, counts_.back());
+    brackets_.pop_back();
+    counts_.pop_back();
+}
+
+void Builder::end_call(const char* end) {
+    ast::Step call = callees_.back();
+    call.op = Op::call;
+    call.payload = pair(call.payload, counts_.back());
+    file_.steps.push_back(call);
+    last_end_ = end;
+    callees_.pop_back();
+    counts_.pop_back();
+    brackets_.pop_back();
+}
+
+void Builder::end_index(const char* end) {
+    emit(Op::index, brackets_.back(), end, 0);
+    brackets_.pop_back();
+}
+
+void Builder::end_parentheses(const char* end) {
+    brackets_.pop_back();
+    last_end_ = end;
+}
+
+void Builder::member(const char* begin, const char* end) {
+    emit(Op::member, begin, end, static_cast<std::uint64_t>(end[-1] - 'x'));
+}
+
+void Builder::prefix(const char* at) {
+    deeper(at);
+    operators_.push_back({*at == '-' ? Op::negate : Op::invert, unary_precedence, at, at + 1, 0});
+}
+
+void Builder::infix(const char* begin, const char* end) {
+    const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+    const Binding& binding = *std::find_if(std::begin(bindings), std::end(bindings),
+                                           [&](const Binding& b) { return b.text == text; });
+    const bool right_associative = binding.op == Op::power;
+    while (operators_.size() > bases_.back() &&
+           (operators_.back().precedence > binding.precedence ||
+            (operators_.back().precedence == binding.precedence && !right_associative)))
+        pop_operator();
+    std::uint32_t branch = 0;
+    if (binding.op == Op::and_end || binding.op == Op::or_end) {
+        branch = static_cast<std::uint32_t>(file_.steps.size());
+        emit(binding.op == Op::and_end ? Op::and_then : Op::or_else, begin, end, 0);
+    }
+    if (binding.op == Op::power) deeper(begin);
+    operators_.push_back({binding.op, binding.precedence, begin, end, branch});
+}
+
+void Builder::pop_operator() {
+    const PendingOperator pending = operators_.back();
+    operators_.pop_back();
+    if (pending.precedence >= unary_precedence) --nesting_;
+    ast::Step& last = file_.steps.back();
+    if (pending.op == Op::negate && last.op == Op::number) {  // a literal with its sign
+        last.payload = std::bit_cast<std::uint64_t>(-last.number());
+        const auto end = last.offset + last.length;
+        last.offset = offset_of(pending.begin);
+        last.length =
+            static_cast<std::uint16_t>(std::min<std::uint32_t>(end - last.offset, 0xFFFF));
+        return;
+    }
+    emit(pending.op, pending.begin, pending.end, 0);
+    if (pending.op == Op::and_end || pending.op == Op::or_end)
+        file_.steps[pending.branch].payload = file_.steps.size();
+}
+
+void Builder::end_chain() {
+    while (operators_.size() > bases_.back()) pop_operator();
+    bases_.pop_back();
+}
+
+void Builder::question(const char* at) {
+    branches_.push_back(static_cast<std::uint32_t>(file_.steps.size()));
+    emit(Op::choose, at, at + 1, 0);
+}
+
+void Builder::colon(const char* at) {
+    const std::uint32_t choose = branches_.back();
+    branches_.back() = static_cast<std::uint32_t>(file_.steps.size());
+    emit(Op::jump, at, at + 1, 0);
+    file_.steps[choose].payload = file_.steps.size();
+}
+
+void Builder::end_alternatives() {
+    file_.steps[branches_.back()].payload = file_.steps.size();
+    branches_.pop_back();
+}
+
+void Builder::begin_value(const char* at) {
+    const auto begin = static_cast<std::uint32_t>(file_.steps.size());
+    values_.push_back({begin, begin, offset_of(at), 0});
+    last_end_ = at;
+}
+
+void Builder::end_value() {
+    using Kind = ast::Statement::Kind;
+    last_value_ = values_.back();
+    values_.pop_back();
+    last_value_.end = static_cast<std::uint32_t>(file_.steps.size());
+    last_value_.length = offset_of(last_end_) - last_value_.offset;
+    if (building_.empty()) return;
+    ast::Statement& statement = building_.back();
+    switch (statement.kind) {
+        case Kind::property:
+        case Kind::let:
+        case Kind::param:
+        case Kind::include:
+        case Kind::choice:
+        case Kind::loop:
+        case Kind::assertion:
+            if (statement.value.empty()) statement.value = last_value_;
+            break;
+        default:
+            break;  // taken by part(), argument(), default_value()
+    }
+}
+
+}  // namespace lancer::grammar

@@ -1,0 +1,233 @@
+// Templates and included files.
+#include <algorithm>
+#include <filesystem>
+
+#include "parser/evaluator.h"
+#include "parser/suggest.h"
+#include "parser/syntax.h"
+
+namespace lancer {
+namespace {
+
+/// What tells whether two paths name the same file. Links are not followed.
+std::string identity(const std::string& path) {
+    std::error_code ignored;
+    const auto absolute = std::filesystem::absolute(path, ignored);
+    return (ignored ? std::filesystem::path(path) : absolute).lexically_normal().string();
+}
+
+std::string count_of(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " argument" : " arguments");
+}
+
+}  // namespace
+
+void Evaluator::execute_def(const ast::File& file, const ast::Statement& statement) {
+    const SourceSpan place = file.name_span(statement);
+    const Vocabulary& vocabulary = program_.vocabulary;
+    Binding binding;
+    binding.kind = Binding::Kind::definition;
+    binding.name = statement.name;
+    binding.place = place;
+    binding.file = &file;
+    binding.definition = &statement;
+    if (vocabulary.is_block(statement.name) || vocabulary.in_statements().knows(statement.name)) {
+        report_.error(Message::template_takes_word, place, text(statement.name));
+        return;
+    }
+    const auto parameters =
+        std::span(file.arguments).subspan(statement.arguments.begin, statement.arguments.size());
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (parameters[i].name != parameters[j].name) continue;
+            Diagnostic* error = report_.error(Message::already_defined, file.span(parameters[i]),
+                                              text(parameters[i].name));
+            if (error != nullptr)
+                error->notes.insert(error->notes.begin(),
+                                    Report::note(Message::first_here, file.span(parameters[j])));
+            binding.kind = Binding::Kind::broken_definition;
+            break;
+        }
+    }
+    declare(std::move(binding));
+}
+
+void Evaluator::enter_call(const SourceSpan& place, std::string_view name) {
+    if (report_.calls.size() >= meter_.limits().calls) {
+        report_.error(Message::call_limit, place, meter_.limits().calls);
+        throw StopReading{};
+    }
+    report_.calls.push_back({place, name});
+}
+
+bool Evaluator::match_arguments(const ast::File& file, const ast::Statement& call,
+                                const ast::File& home, const ast::Statement& definition,
+                                std::vector<Given>& given) {
+    const auto parameters =
+        std::span(home.arguments).subspan(definition.arguments.begin, definition.arguments.size());
+    const auto arguments =
+        std::span(file.arguments).subspan(call.arguments.begin, call.arguments.size());
+    const std::string_view callee = text(call.word);
+    given.resize(parameters.size());
+    bool good = true;
+    bool named = false;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const ast::Argument& argument = arguments[i];
+        Value value = evaluate(file, argument.value);
+        std::size_t index = i;
+        if (argument.name != no_symbol) {
+            named = true;
+            const auto at = std::find_if(parameters.begin(), parameters.end(),
+                                         [&](const auto& p) { return p.name == argument.name; });
+            if (at == parameters.end()) {
+                good = false;
+                Diagnostic* error = report_.error(Message::unknown_argument, file.span(argument),
+                                                  callee, text(argument.name));
+                if (error != nullptr) {
+                    Suggestion suggestion(text(argument.name));
+                    for (const auto& p : parameters) suggestion.consider(text(p.name));
+                    error->hint = suggestion.hint();
+                }
+                continue;
+            }
+            index = static_cast<std::size_t>(at - parameters.begin());
+        } else if (named) {
+            good = false;
+            report_.error(Message::positional_after_named, file.span(argument.value));
+            continue;
+        } else if (index >= parameters.size()) {
+            good = false;
+            report_.error(Message::too_many_arguments, file.span(argument.value), callee,
+                          count_of(parameters.size()), arguments.size());
+            continue;
+        }
+        if (given[index].is_given) {
+            good = false;
+            report_.error(Message::argument_twice, file.span(argument),
+                          text(parameters[index].name));
+            continue;
+        }
+        given[index] = {std::move(value), true};
+    }
+    return good;
+}
+
+/// In the scope of the call: binds what is given, evaluates the rest, which may use earlier ones.
+bool Evaluator::bind_parameters(const ast::File& home, const ast::Statement& definition,
+                                const SourceSpan& call, std::vector<Given>& given) {
+    bool good = true;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const ast::Argument& parameter = home.arguments[definition.arguments.begin + i];
+        Binding binding;
+        binding.name = parameter.name;
+        binding.place = home.span(parameter);
+        if (given[i].is_given) {
+            binding.value = std::move(given[i].value);
+        } else if (!parameter.value.empty()) {
+            binding.value = evaluate(home, parameter.value);
+        } else {
+            good = false;
+            report_.error(Message::missing_argument, call, text(definition.name),
+                          text(parameter.name));
+        }
+        scopes_.bind(std::move(binding));
+    }
+    return good;
+}
+
+void Evaluator::execute_call(const ast::File& file, const ast::Statement& statement) {
+    const Symbol name = statement.word;
+    const SourceSpan place = file.span(statement);
+    const Binding* callee = scopes_.find_template(name);
+    if (callee == nullptr) {
+        if (name < functions_.size() && functions_[name] != nullptr) {
+            report_.error(Message::function_as_statement, place, text(name));
+        } else if (scopes_.find(name) != nullptr) {
+            report_undefined(Message::not_a_template, place, name, true);
+        } else {
+            report_undefined(Message::function_not_defined, place, name, true);
+        }
+        return;
+    }
+    if (callee->kind == Binding::Kind::broken_definition) return;
+    const ast::File& home = *callee->file;
+    const ast::Statement& definition = *callee->definition;
+    std::vector<Given> given;
+    if (!match_arguments(file, statement, home, definition, given)) return;
+    enter_call(place, text(name));
+    const Scopes::Caller caller = scopes_.enter(*callee);
+    scopes_.open();
+    if (!bind_parameters(home, definition, place, given)) {
+        scopes_.close();
+        scopes_.leave(caller);
+        report_.calls.pop_back();
+        return;
+    }
+    Frame& frame = push(Frame::Kind::call, home, definition.body);
+    frame.caller = caller;
+    frame.outer_group = group_;
+    group_ = none;
+}
+
+std::string Evaluator::resolve_path(const ast::File& file, std::string_view path) const {
+    const std::filesystem::path given(path);
+    const std::string& script = sources_.name(file.source);
+    if (given.is_absolute() || script == "-") return given.lexically_normal().string();
+    return (std::filesystem::path(script).parent_path() / given).lexically_normal().string();
+}
+
+ast::File* Evaluator::load_script(const std::string& path, const SourceSpan& place) {
+    LoadedScript& loaded = program_.scripts[identity(path)];
+    if (loaded.file == nullptr && loaded.problem.empty()) {
+        try {
+            std::string source = loader_.text(path, meter_.source_left());
+            loaded.bytes = source.size();
+            meter_.source(loaded.bytes, place);
+            const std::uint32_t index = add_source(sources_, path, std::move(source));
+            loaded.file = std::make_unique<ast::File>();
+            *loaded.file = read_syntax(index, sources_, program_.symbols, program_.vocabulary,
+                                       meter_.limits().nesting, report_);
+        } catch (const FileError& error) {
+            loaded.problem = error.what();
+        }
+    } else {
+        meter_.source(loaded.bytes, place);
+    }
+    if (loaded.file == nullptr) {
+        incomplete_ = true;
+        report_.error(Message::file_unreadable, place, loaded.problem);
+    }
+    return loaded.file.get();
+}
+
+void Evaluator::execute_include(const ast::File& file, const ast::Statement& statement) {
+    const SourceSpan place = file.span(statement.value);
+    const Value value = evaluate(file, statement.value);
+    if (value.is_broken()) return;
+    if (!value.is(Value::Kind::text)) {
+        report_.error(Message::include_type, place, describe(value));
+        return;
+    }
+    const std::string path = resolve_path(file, value.text());
+    const std::string key = identity(path);
+    if (const auto at = std::find(including_.begin(), including_.end(), key);
+        at != including_.end()) {
+        std::string chain;
+        for (auto link = at; link != including_.end(); ++link)
+            chain += std::filesystem::path(*link).filename().string() + " -> ";
+        chain += std::filesystem::path(key).filename().string();
+        report_.error(Message::include_cycle, place, chain);
+        return;
+    }
+    if (!included_.insert(key).second) return;
+    enter_call(file.span(statement), "");
+    const ast::File* included = load_script(path, place);
+    if (included == nullptr) {
+        report_.calls.pop_back();
+        return;
+    }
+    including_.push_back(key);
+    push(Frame::Kind::include, *included, included->body);
+}
+
+}  // namespace lancer

@@ -1,0 +1,107 @@
+#include "parser/evaluator.h"
+
+#include <filesystem>
+
+#include "parser/suggest.h"
+#include "parser/syntax.h"
+
+namespace lancer {
+
+Evaluator::Evaluator(Program& program, const Definitions& definitions, const Limits& limits,
+                     SourceMap& sources, Report& report, const Loader& loader)
+    : program_(program),
+      definitions_(definitions),
+      sources_(sources),
+      report_(report),
+      loader_(loader),
+      meter_(limits, report),
+      builder_(meter_, report) {
+    for (const Function& function : all_functions()) {
+        const Symbol symbol = program_.symbols.intern(function.name);
+        if (functions_.size() <= symbol) functions_.resize(symbol + 1, nullptr);
+        functions_[symbol] = &function;
+    }
+    for (const Constant& constant : all_constants())
+        constants_[program_.symbols.intern(constant.name)] = constant.value;
+    constants_[program_.symbols.intern("frame")] = definitions.frame.value_or(0);
+    constants_[program_.symbols.intern("time")] = definitions.time.value_or(0);
+    std::error_code ignored;
+    including_.push_back(
+        std::filesystem::absolute(sources.name(program.main.source), ignored).lexically_normal());
+    meter_.source(sources.text(program.main.source).size(), {program.main.source, 0, 0});
+}
+
+void Evaluator::read_definitions(Report& usage) {
+    // A param of the script called frame or time follows an animation as the built-in ones do.
+    if (definitions_.frame) {
+        const Value value(*definitions_.frame);
+        defined_[program_.symbols.intern("frame")] = {value, true};
+    }
+    if (definitions_.time) {
+        const Value value(*definitions_.time);
+        defined_[program_.symbols.intern("time")] = {value, true};
+    }
+    for (const auto& [name, source] : definitions_.values) {
+        ast::File file;
+        file.source = sources_.add("-D " + name, source);
+        const ast::Expression expression = read_expression(
+            file, sources_, program_.symbols, program_.vocabulary, meter_.limits().nesting, usage);
+        const Symbol symbol = program_.symbols.intern(name);
+        const bool built_in = name == "frame" || name == "time";
+        Value value = evaluate(file, expression);
+        if (built_in && value.is_number()) constants_[symbol] = value.number();
+        defined_[symbol] = {std::move(value), built_in};
+    }
+}
+
+void Evaluator::check_definitions(Report& usage) {
+    if (incomplete_) return;  // the param may stand in a file that could not be read
+    for (const auto& [name, source] : definitions_.values) {
+        if (defined_.at(program_.symbols.intern(name)).second) continue;
+        Diagnostic* error = usage.error(Message::unknown_definition, SourceSpan{}, name);
+        if (error == nullptr) continue;
+        Suggestion suggestion(name);
+        for (const Symbol param : params_) suggestion.consider(text(param));
+        error->hint = suggestion.hint();
+    }
+}
+
+bool Evaluator::is_new_camera(const std::string& name, const SourceSpan& place) {
+    if (name.empty()) return true;
+    const auto [first, is_new] = camera_places_.emplace(name, place);
+    if (is_new) return true;
+    Diagnostic* error = report_.error(Message::camera_twice, place, name);
+    if (error != nullptr)
+        error->notes.insert(error->notes.begin(), Report::note(Message::first_here, first->second));
+    return false;
+}
+
+std::shared_ptr<const io::LoadedMesh> Evaluator::load_mesh(const std::string& path,
+                                                           const SourceSpan& place) {
+    auto& loaded = program_.meshes[path];
+    if (loaded.content == nullptr && loaded.problem.empty()) {
+        try {
+            loaded.content = std::make_shared<const io::LoadedMesh>(loader_.mesh(path));
+        } catch (const FileError& error) {
+            loaded.problem = error.what();
+        }
+    }
+    if (loaded.content == nullptr) report_.error(Message::file_unreadable, place, loaded.problem);
+    return loaded.content;
+}
+
+std::shared_ptr<const Image> Evaluator::load_image(const std::string& path, io::ColorSpace space,
+                                                   const SourceSpan& place) {
+    auto& loaded = program_.images[{path, space}];
+    if (loaded.content == nullptr && loaded.problem.empty()) {
+        try {
+            loaded.content = std::make_shared<const Image>(loader_.image(path, space));
+        } catch (const FileError& error) {
+            loaded.problem = error.what();
+        }
+    }
+    if (loaded.content == nullptr) report_.error(Message::file_unreadable, place, loaded.problem);
+    return loaded.content;
+}
+
+}  // namespace lancer

@@ -1,0 +1,156 @@
+// Runs an AST: statements on a stack of frames, expressions on a stack of values, so that the depth
+// of a script never becomes depth of the program's own stack.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "parser/functions.h"
+#include "parser/meter.h"
+#include "parser/parse.h"
+#include "parser/program.h"
+#include "parser/scene_builder.h"
+#include "parser/scopes.h"
+
+namespace lancer {
+
+class BlockReader;
+
+class Evaluator {
+  public:
+    Evaluator(Program& program, const Definitions& definitions, const Limits& limits,
+              SourceMap& sources, Report& report, const Loader& loader);
+
+    /// Runs the main file. Throws StopReading when a limit was passed.
+    void run();
+
+    Scene take_scene() { return std::move(builder_.scene); }
+    std::vector<std::string> take_printed() { return std::move(printed_); }
+    /// Reports what -D said wrong: names that no param has. After run().
+    void check_definitions(Report& usage);
+    /// Evaluates what -D says, before run().
+    void read_definitions(Report& usage);
+
+    // --- For BlockReader
+
+    Value evaluate(const ast::File& file, const ast::Expression& expression);
+    Report& report() { return report_; }
+    Meter& meter() { return meter_; }
+    SceneBuilder& builder() { return builder_; }
+    Program& program() { return program_; }
+    const Loader& loader() { return loader_; }
+    std::string_view text(Symbol symbol) const { return program_.symbols.text(symbol); }
+    /// A path as the script in `file` means it.
+    std::string resolve_path(const ast::File& file, std::string_view path) const;
+    /// Whether a lone name has a value here.
+    bool has_value(Symbol name) const;
+    /// The mesh, image of a path, loaded once; nullptr after an error at `place`.
+    std::shared_ptr<const io::LoadedMesh> load_mesh(const std::string& path,
+                                                    const SourceSpan& place);
+    std::shared_ptr<const Image> load_image(const std::string& path, io::ColorSpace space,
+                                            const SourceSpan& place);
+    /// The material of a shape or group that holds it itself; `none` after an error.
+    std::uint32_t make_inline_material(const ast::File& file, const ast::Statement& statement);
+    /// Reports a second camera of a name.
+    bool is_new_camera(const std::string& name, const SourceSpan& place);
+    /// Reports a second statement of a kind that may stand once; `first` remembers the first.
+    bool is_repeated(std::string_view word, SourceSpan& first, const SourceSpan& place);
+    SourceSpan image_place, render_place, background_place, ambient_place;
+
+  private:
+    /// An argument of a call, by its parameter.
+    struct Given {
+        Value value;
+        bool is_given = false;
+    };
+
+    struct Group {
+        Attributes attributes;
+        std::vector<SourceSpan> given;  ///< by index of the property
+        bool damaged = false;
+    };
+
+    /// A run of statements that is being executed, and what to do at its end.
+    struct Frame {
+        enum class Kind : std::uint8_t { body, loop, call, group, include };
+        Kind kind = Kind::body;
+        bool file_level = false;  ///< params may stand here
+        const ast::File* file = nullptr;
+        std::uint32_t first = 0, next = 0, end = 0;
+        const ast::Statement* statement = nullptr;
+        Value list;                  ///< of a loop
+        std::uint64_t position = 0;  ///< in the list, or above the start of the range
+        std::uint64_t count = 0;
+        double start = 0;
+        bool is_range = false;
+        Scopes::Caller caller;             ///< of a call
+        std::uint32_t outer_group = none;  ///< of a call
+    };
+
+    // statements.cpp
+    void step();
+    void execute(const ast::File& file, const ast::Statement& statement);
+    void end_frame();
+    Frame& push(Frame::Kind kind, const ast::File& file, const ast::Range& body);
+    void execute_let(const ast::File& file, const ast::Statement& statement);
+    void execute_param(const ast::File& file, const ast::Statement& statement);
+    void execute_loop(const ast::File& file, const ast::Statement& statement);
+    bool next_iteration(Frame& frame);
+    void execute_choice(const ast::File& file, const ast::Statement& statement);
+    void execute_assertion(const ast::File& file, const ast::Statement& statement);
+    void execute_print(const ast::File& file, const ast::Statement& statement);
+    void execute_property(const ast::File& file, const ast::Statement& statement);
+    void execute_block(const ast::File& file, const ast::Statement& statement);
+    bool declare(Binding binding);
+    bool condition(const ast::File& file, const ast::Expression& expression, std::string_view what,
+                   bool& result);
+
+    // calls.cpp
+    void execute_def(const ast::File& file, const ast::Statement& statement);
+    void execute_call(const ast::File& file, const ast::Statement& statement);
+    bool match_arguments(const ast::File& file, const ast::Statement& call, const ast::File& home,
+                         const ast::Statement& definition, std::vector<Given>& given);
+    bool bind_parameters(const ast::File& home, const ast::Statement& definition,
+                         const SourceSpan& call, std::vector<Given>& given);
+    void execute_include(const ast::File& file, const ast::Statement& statement);
+    ast::File* load_script(const std::string& path, const SourceSpan& place);
+    void enter_call(const SourceSpan& place, std::string_view name);
+
+    // expressions.cpp
+    void push_name(const ast::File& file, const ast::Step& step);
+    void push_call(const ast::File& file, const ast::Step& step);
+    void report_undefined(Message message, const SourceSpan& place, Symbol name, bool functions);
+    Value pop();
+
+    Program& program_;
+    const Definitions& definitions_;
+    SourceMap& sources_;
+    Report& report_;
+    const Loader& loader_;
+    Meter meter_;
+    SceneBuilder builder_;
+    Scopes scopes_;
+    std::vector<Value> stack_;
+    std::vector<Frame> frames_;
+    std::vector<Group> groups_;
+    std::uint32_t group_ = none;  ///< the one whose properties may stand here
+    std::vector<std::string> printed_;
+
+    std::vector<const Function*> functions_;  ///< by symbol
+    std::unordered_map<Symbol, double> constants_;
+    std::unordered_map<Symbol, std::pair<Value, bool>>
+        defined_;  ///< by -D; whether a param took it
+    std::vector<Symbol> params_;
+    std::unordered_set<std::string> included_;
+    std::vector<std::string> including_;  ///< chain of paths, the main script first
+    std::unordered_map<std::string, SourceSpan> camera_places_;
+    bool incomplete_ = false;  ///< an include could not be read
+
+    friend class BlockReader;
+};
+
+}  // namespace lancer

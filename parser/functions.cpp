@@ -1,0 +1,321 @@
+#include "parser/functions.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "model/math.h"
+#include "model/srgb.h"
+#include "parser/random.h"
+#include "parser/utf8.h"
+
+namespace lancer {
+namespace {
+
+using Arguments = std::span<const Value>;
+constexpr std::size_t any_count = std::numeric_limits<std::size_t>::max();
+
+Value takes(std::string_view name, std::string_view what, const Value& given, const Site& site) {
+    site.report.error(Message::function_argument, site.place, name, what, kind_name(given));
+    return {};
+}
+
+Value outside(std::string_view name, double x, const Site& site) {
+    site.report.error(Message::function_domain, site.place, name, to_text(x));
+    return {};
+}
+
+bool is_arithmetic(const Value& v) {
+    return v.is_number() || v.is(Value::Kind::vector);
+}
+
+bool everywhere(double) {
+    return true;
+}
+bool from_minus_one_to_one(double x) {
+    return x >= -1 && x <= 1;
+}
+bool not_negative(double x) {
+    return x >= 0;
+}
+bool positive(double x) {
+    return x > 0;
+}
+
+double square_root(double x) {
+    return std::sqrt(x);
+}
+double absolute(double x) {
+    return std::abs(x);
+}
+double floor_of(double x) {
+    return std::floor(x);
+}
+double ceiling_of(double x) {
+    return std::ceil(x);
+}
+double rounded(double x) {
+    return std::round(x);
+}
+double sign_of(double x) {
+    return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0;
+}
+double to_radians(double x) {
+    return radians(x);
+}
+double to_degrees(double x) {
+    return degrees(x);
+}
+
+/// A function of one number.
+template <double (*f)(double), bool (*domain)(double) = everywhere>
+Value of_number(std::string_view name, Arguments a, const Site& site) {
+    if (!a[0].is_number()) return takes(name, "a number", a[0], site);
+    if (!domain(a[0].number())) return outside(name, a[0].number(), site);
+    return Value(f(a[0].number()));
+}
+
+/// A function of one number, or of each component of a vector.
+template <double (*f)(double)>
+Value of_components(std::string_view name, Arguments a, const Site& site) {
+    if (!is_arithmetic(a[0])) return takes(name, "numbers or vectors", a[0], site);
+    return map_components(a[0], f);
+}
+
+double lesser(double a, double b) {
+    return b < a ? b : a;
+}
+double greater(double a, double b) {
+    return a < b ? b : a;
+}
+
+/// Two numbers, two vectors, or a vector and a number: component by component.
+template <class F>
+Value combine(std::string_view name, const Value& a, const Value& b, const Site& site, F f) {
+    if (!is_arithmetic(a)) return takes(name, "numbers or vectors", a, site);
+    if (!is_arithmetic(b)) return takes(name, "numbers or vectors", b, site);
+    if (a.is_number() && b.is_number()) return Value(f(a.number(), b.number()));
+    if (!a.is_number() && !b.is_number() && a.dimension() != b.dimension()) {
+        site.report.error(Message::vector_sizes, site.place, name, a.dimension(), b.dimension());
+        return {};
+    }
+    const unsigned size = a.is_number() ? b.dimension() : a.dimension();
+    double c[3] = {0, 0, 0};
+    for (unsigned i = 0; i < size; ++i)
+        c[i] = f(a.is_number() ? a.number() : a.component(i),
+                 b.is_number() ? b.number() : b.component(i));
+    return size == 2 ? Value(c[0], c[1]) : Value(c[0], c[1], c[2]);
+}
+
+template <double (*f)(double, double)>
+Value fold(std::string_view name, Arguments a, const Site& site) {
+    Value result = a[0];
+    if (!is_arithmetic(result)) return takes(name, "numbers or vectors", result, site);
+    for (std::size_t i = 1; i < a.size() && !result.is_broken(); ++i)
+        result = combine(name, result, a[i], site, f);
+    return result;
+}
+
+Value clamp(std::string_view name, Arguments a, const Site& site) {
+    const Value above = combine(name, a[0], a[1], site, greater);
+    return above.is_broken() ? above : combine(name, above, a[2], site, lesser);
+}
+
+/// a at t = 0 and b at t = 1, both exactly.
+Value mix(std::string_view name, Arguments a, const Site& site) {
+    const auto product = [](double x, double y) { return x * y; };
+    const Value rest =
+        combine(name, a[2], Value(1.0), site, [](double t, double) { return 1 - t; });
+    if (rest.is_broken()) return {};
+    const Value left = combine(name, a[0], rest, site, product);
+    if (left.is_broken()) return {};
+    const Value right = combine(name, a[1], a[2], site, product);
+    if (right.is_broken()) return {};
+    return combine(name, left, right, site, [](double x, double y) { return x + y; });
+}
+
+Value atan2_of(std::string_view name, Arguments a, const Site& site) {
+    for (const Value& v : a)
+        if (!v.is_number()) return takes(name, "numbers", v, site);
+    return Value(elementary::atan2(a[0].number(), a[1].number()));
+}
+
+Value pow_of(std::string_view name, Arguments a, const Site& site) {
+    for (const Value& v : a)
+        if (!v.is_number()) return takes(name, "numbers", v, site);
+    return apply_binary(ast::Op::power, a[0], a[1], site);
+}
+
+/// Largest absolute component, as a power of two, so that squares neither over- nor underflow.
+double scale_of(const Value& v) {
+    double most = 0;
+    for (unsigned i = 0; i < v.dimension(); ++i) most = greater(most, std::abs(v.component(i)));
+    return most == 0 ? 1 : std::ldexp(1.0, std::ilogb(most));
+}
+
+double length_of(const Value& v, double scale) {
+    double sum = 0;
+    for (unsigned i = 0; i < v.dimension(); ++i) {
+        const double x = v.component(i) / scale;
+        sum += x * x;
+    }
+    return std::sqrt(sum);
+}
+
+Value length(std::string_view name, Arguments a, const Site& site) {
+    if (!a[0].is(Value::Kind::vector)) return takes(name, "a vector", a[0], site);
+    const double scale = scale_of(a[0]);
+    return Value(length_of(a[0], scale) * scale);
+}
+
+Value normalize_of(std::string_view name, Arguments a, const Site& site) {
+    if (!a[0].is(Value::Kind::vector)) return takes(name, "a vector", a[0], site);
+    const double scale = scale_of(a[0]);
+    const double size = length_of(a[0], scale);
+    if (size == 0) {
+        site.report.error(Message::function_domain, site.place, name, "a vector of length 0");
+        return {};
+    }
+    return map_components(a[0], [&](double x) { return x / scale / size; });
+}
+
+Value dot_of(std::string_view name, Arguments a, const Site& site) {
+    for (const Value& v : a)
+        if (!v.is(Value::Kind::vector)) return takes(name, "vectors", v, site);
+    const Value products = apply_binary(ast::Op::multiply, a[0], a[1], site);
+    if (products.is_broken()) return {};
+    double sum = 0;
+    for (unsigned i = 0; i < products.dimension(); ++i) sum += products.component(i);
+    return Value(sum);
+}
+
+Value cross_of(std::string_view name, Arguments a, const Site& site) {
+    for (const Value& v : a)
+        if (!v.is_vector(3)) return takes(name, "vectors of 3 numbers", v, site);
+    const auto vec = [](const Value& v) {
+        return Vec3d(v.component(0), v.component(1), v.component(2));
+    };
+    const Vec3d c = cross(vec(a[0]), vec(a[1]));
+    return {c.x, c.y, c.z};
+}
+
+Value len(std::string_view name, Arguments a, const Site& site) {
+    if (a[0].is_list()) return Value(static_cast<double>(a[0].size()));
+    if (a[0].is(Value::Kind::text))
+        return Value(static_cast<double>(count_characters(a[0].text())));
+    return takes(name, "a list or a string", a[0], site);
+}
+
+Value srgb(std::string_view name, Arguments a, const Site& site) {
+    double c[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!a[i].is_number()) return takes(name, "numbers", a[i], site);
+        if (a[i].number() < 0) return outside(name, a[i].number(), site);
+        c[i] = srgb_decode(a[i].number());
+    }
+    return {c[0], c[1], c[2]};
+}
+
+Value rand(std::string_view name, Arguments a, const Site& site) {
+    RandomHash hash;
+    for (const Value& v : a) {
+        if (v.is_number()) {
+            hash.add(v.number());
+        } else if (v.is(Value::Kind::vector)) {
+            for (unsigned i = 0; i < v.dimension(); ++i) hash.add(v.component(i));
+        } else {
+            return takes(name, "numbers or vectors", v, site);
+        }
+    }
+    return Value(hash.fraction());
+}
+
+Value str(std::string_view, Arguments a, const Site& site) {
+    std::string text = to_text(a[0], site.meter.text_left());
+    site.meter.text(text.size(), site.place);
+    return Value(std::move(text));
+}
+
+Value range(std::string_view name, Arguments a, const Site& site) {
+    for (const Value& v : a)
+        if (!v.is_number()) return takes(name, "numbers", v, site);
+    const double start = a[0].number();
+    const double end = a[1].number();
+    const double step = a.size() > 2 ? a[2].number() : 1;
+    if (step == 0) {
+        site.report.error(Message::range_step_zero, site.place);
+        return {};
+    }
+    const auto before_end = [&](double i) {
+        return step > 0 ? start + i * step < end : start + i * step > end;
+    };
+    // The quotient may be off by its rounding: look at its neighbours as the definition says.
+    double count = std::ceil((end - start) / step);
+    if (!(count < static_cast<double>(std::numeric_limits<std::uint32_t>::max())) &&
+        before_end(0)) {
+        site.meter.elements(std::numeric_limits<std::uint64_t>::max(), site.place);
+        return {};
+    }
+    count = greater(count, 0);
+    site.meter.elements(static_cast<std::uint64_t>(count), site.place);
+    while (count > 0 && !before_end(count - 1)) --count;
+    while (before_end(count)) ++count;
+    return Value::of_range(start, step, static_cast<std::uint64_t>(count));
+}
+
+constexpr Function functions[] = {
+    {"sin", 1, 1, "x", "of an angle in radians", of_number<elementary::sin>},
+    {"cos", 1, 1, "x", "of an angle in radians", of_number<elementary::cos>},
+    {"tan", 1, 1, "x", "of an angle in radians", of_number<elementary::tan>},
+    {"asin", 1, 1, "x", "in radians; x from -1 to 1",
+     of_number<elementary::asin, from_minus_one_to_one>},
+    {"acos", 1, 1, "x", "in radians; x from -1 to 1",
+     of_number<elementary::acos, from_minus_one_to_one>},
+    {"atan", 1, 1, "x", "in radians", of_number<elementary::atan>},
+    {"atan2", 2, 2, "y, x", "the angle of [x, y] with the x axis, in radians", atan2_of},
+    {"sqrt", 1, 1, "x", "square root, x from 0 on", of_number<square_root, not_negative>},
+    {"exp", 1, 1, "x", "e to the power of x", of_number<elementary::exp>},
+    {"log", 1, 1, "x", "natural logarithm, x greater than 0", of_number<elementary::log, positive>},
+    {"pow", 2, 2, "x, y", "the same as x ^ y", pow_of},
+    {"abs", 1, 1, "x", "absolute value; also of vectors", of_components<absolute>},
+    {"sign", 1, 1, "x", "-1, 0 or 1; also of vectors", of_components<sign_of>},
+    {"floor", 1, 1, "x", "the next whole number below; also of vectors", of_components<floor_of>},
+    {"ceil", 1, 1, "x", "the next whole number above; also of vectors", of_components<ceiling_of>},
+    {"round", 1, 1, "x", "the nearest whole number, halves away from zero; also of vectors",
+     of_components<rounded>},
+    {"min", 2, any_count, "a, b, ...", "the least; of vectors component by component",
+     fold<lesser>},
+    {"max", 2, any_count, "a, b, ...", "the greatest; of vectors component by component",
+     fold<greater>},
+    {"clamp", 3, 3, "x, low, high", "x, but not below low nor above high; also of vectors", clamp},
+    {"mix", 3, 3, "a, b, t", "a (1 - t) + b t; also of vectors", mix},
+    {"radians", 1, 1, "x", "degrees to radians", of_number<to_radians>},
+    {"degrees", 1, 1, "x", "radians to degrees", of_number<to_degrees>},
+    {"length", 1, 1, "v", "of a vector", length},
+    {"normalize", 1, 1, "v", "the vector of length 1 in the same direction", normalize_of},
+    {"dot", 2, 2, "a, b", "scalar product", dot_of},
+    {"cross", 2, 2, "a, b", "vector product", cross_of},
+    {"len", 1, 1, "x", "how many elements a list has, or characters a string", len},
+    {"srgb", 3, 3, "r, g, b", "a colour given in sRGB, 0 to 1, as linear RGB", srgb},
+    {"rand", 1, any_count, "a, ...", "a number in [0, 1) that depends on the arguments alone",
+     rand},
+    {"str", 1, 1, "x", "a value as a string", str},
+    {"range", 2, 3, "a, b, step",
+     "the list a, a + step, a + 2 step, ... while it is before b; step is 1", range},
+};
+
+constexpr Constant constants[] = {
+    {"pi", pi, "half a turn in radians"},
+    {"tau", tau, "a whole turn in radians"},
+};
+
+}  // namespace
+
+std::span<const Function> all_functions() {
+    return functions;
+}
+std::span<const Constant> all_constants() {
+    return constants;
+}
+
+}  // namespace lancer

@@ -1,0 +1,29 @@
+// The language's own functions and constants.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "parser/operators.h"
+
+namespace lancer {
+
+struct Function {
+    std::string_view name;
+    std::size_t least, most;  ///< count of arguments
+    std::string_view parameters;
+    std::string_view doc;
+    /// After an error, reported at the site: a broken value. No argument is broken.
+    Value (*apply)(std::string_view name, std::span<const Value> arguments, const Site& site);
+};
+
+std::span<const Function> all_functions();
+
+struct Constant {
+    std::string_view name;
+    double value;
+    std::string_view doc;
+};
+std::span<const Constant> all_constants();
+
+}  // namespace lancer

@@ -1,0 +1,215 @@
+// Rules that a grammar cannot express without a look at what the builder knows: which words the
+// block around knows as properties, how deep the text is nested, and where to go on after an error.
+#pragma once
+
+#include <tao/pegtl.hpp>
+#include <tao/pegtl/contrib/analyze_traits.hpp>
+
+#include "parser/builder.h"
+
+namespace lancer::grammar {
+
+namespace p = tao::pegtl;
+
+/// Rules below that match or not by asking the builder; `ask` leaves the input where it was.
+template <class Derived>
+struct builder_rule {
+    using rule_t = Derived;
+    using subs_t = p::type_list<>;
+
+    template <p::apply_mode, p::rewind_mode, template <class...> class, template <class...> class,
+              class In>
+    static bool match(In& in, Builder& builder) {
+        return Derived::test(in, builder);
+    }
+};
+
+template <class In>
+std::uint32_t offset_of(const In& in, const Builder& builder) {
+    return builder.offset_of(in.current());
+}
+
+/// A name that the block around knows as a property.
+struct known_property : builder_rule<known_property> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        const std::string_view word = builder.word_at(in.current());
+        if (word.empty() || !builder.knows_property(word)) return false;
+        in.bump_in_this_line(word.size());
+        return true;
+    }
+};
+
+/// A name that is the keyword of some block.
+struct known_block : builder_rule<known_block> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        const std::string_view word = builder.word_at(in.current());
+        if (word.empty() || !builder.knows_block(word)) return false;
+        in.bump_in_this_line(word.size());
+        return true;
+    }
+};
+
+/// A name that the block whose keyword was just read knows as a property.
+struct property_of_block : builder_rule<property_of_block> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        const std::string_view word = builder.word_at(in.current());
+        if (word.empty() || !builder.block_being_opened_knows(in.current(), word)) return false;
+        in.bump_in_this_line(word.size());
+        return true;
+    }
+};
+
+/// `{`, or a property where it should stand: then the brace is reported and taken as read.
+struct block_open_or_property : builder_rule<block_open_or_property> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        if (!in.empty() && *in.current() == '{') {
+            in.bump_in_this_line(1);
+        } else {
+            builder.missing_open_brace(in.current());
+        }
+        in.bump(builder.blank_length(in.current()));
+        return true;
+    }
+};
+
+/// A property's name where the value of another should stand, as in `center radius 1`.
+struct value_left_out : builder_rule<value_left_out> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        return builder.value_is_left_out(in.current());
+    }
+};
+
+/// `=` between a property and its value: reported and skipped.
+struct stray_equals : builder_rule<stray_equals> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        if (in.empty() || *in.current() != '=') return false;
+        builder.report_stray(in.current());
+        in.bump_in_this_line(1);
+        in.bump(builder.blank_length(in.current()));
+        return true;
+    }
+};
+
+/// `;` or `,` between statements: reported and skipped.
+struct stray_separator : builder_rule<stray_separator> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        if (in.empty() || (*in.current() != ';' && *in.current() != ',')) return false;
+        builder.report_stray(in.current());
+        in.bump_in_this_line(1);
+        in.bump(builder.blank_length(in.current()));
+        return true;
+    }
+};
+
+/// A `}` that closes nothing: reported and skipped.
+struct stray_brace : builder_rule<stray_brace> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        if (in.empty() || *in.current() != '}') return false;
+        builder.report_stray(in.current());
+        in.bump_in_this_line(1);
+        in.bump(builder.blank_length(in.current()));
+        return true;
+    }
+};
+
+/// A statement that cannot belong to the block around, and by its indentation does not: the
+/// block's `}` is missing.
+struct outer_statement : builder_rule<outer_statement> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        return builder.is_outer_statement(in.current());
+    }
+};
+
+/// `}`; where it is missing that is reported, with its opener, and taken as read.
+struct body_close : builder_rule<body_close> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        if (!in.empty() && *in.current() == '}') {
+            builder.end_body(in.current(), true);
+            in.bump_in_this_line(1);
+        } else {
+            builder.end_body(in.current(), false);
+        }
+        return true;
+    }
+};
+
+/// One level of nesting, up to the limit. `First`: the characters that the rule can begin with.
+template <class Rule, char... First>
+struct nested {
+    using rule_t = nested;
+    using subs_t = p::type_list<Rule>;
+
+    template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
+              template <class...> class Control, class In>
+    static bool match(In& in, Builder& builder) {
+        if constexpr (sizeof...(First) > 0)
+            if (in.empty() || ((*in.current() != First) && ...)) return false;
+        const Builder::Nesting level(builder, in.current());
+        return Control<Rule>::template match<A, M, Action, Control>(in, builder);
+    }
+};
+
+/// A statement; after a syntax error in it the builder says where to go on.
+template <class Rule>
+struct recovering {
+    using rule_t = recovering;
+    using subs_t = p::type_list<Rule>;
+
+    template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
+              template <class...> class Control, class In>
+    static bool match(In& in, Builder& builder) {
+        const Builder::Mark mark = builder.mark(in.current());
+        try {
+            return Control<Rule>::template match<A, M, Action, Control>(in, builder);
+        } catch (const SyntaxError& error) {
+            const char* resume = builder.recover(mark, error);
+            in.bump(static_cast<std::size_t>(resume - in.current()));
+            return true;
+        }
+    }
+};
+
+}  // namespace lancer::grammar
+
+namespace tao::pegtl {
+
+template <class Name, class Derived>
+struct analyze_traits<Name, lancer::grammar::builder_rule<Derived>> : analyze_opt_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::known_property> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::known_block> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::property_of_block> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::block_open_or_property> : analyze_opt_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::value_left_out> : analyze_opt_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::stray_equals> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::stray_separator> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::stray_brace> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::outer_statement> : analyze_opt_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::body_close> : analyze_opt_traits<> {};
+template <class Name, class Rule, char... First>
+struct analyze_traits<Name, lancer::grammar::nested<Rule, First...>>
+    : analyze_traits<Name, typename seq<Rule>::rule_t> {};
+template <class Name, class Rule>
+struct analyze_traits<Name, lancer::grammar::recovering<Rule>>
+    : analyze_traits<Name, typename seq<Rule>::rule_t> {};
+
+}  // namespace tao::pegtl

@@ -1,0 +1,68 @@
+#include "parser/parse.h"
+
+#include "model/io/file.h"
+#include "parser/evaluator.h"
+#include "parser/program.h"
+#include "parser/syntax.h"
+
+namespace lancer {
+
+Script::Script() = default;
+Script::Script(Script&&) noexcept = default;
+Script& Script::operator=(Script&&) noexcept = default;
+Script::~Script() = default;
+
+Loader disk_loader() {
+    return {
+        [](const std::string& path, std::size_t limit) { return io::read_file(path, limit); },
+        [](const std::string& path) { return io::read_mesh(path); },
+        [](const std::string& path, io::ColorSpace space) { return io::read_image(path, space); }};
+}
+
+std::uint32_t add_source(SourceMap& sources, std::string name, std::string text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    return sources.add(std::move(name), std::move(text));
+}
+
+Script parse_script(const std::string& name, std::string text, const Limits& limits,
+                    SourceMap& sources, std::vector<Diagnostic>& found) {
+    Script script;
+    script.program = std::make_unique<Program>();
+    Program& program = *script.program;
+    Report report(found);
+    constexpr std::uint64_t longest = 0xFFFFFFFE;  // offsets are 32 bits wide
+    const std::uint64_t most = std::min(limits.source_bytes, longest);
+    const bool too_long = text.size() > most;
+    if (too_long) text.clear();
+    script.file = add_source(sources, name, std::move(text));
+    program.main.source = script.file;
+    try {
+        if (too_long) report.error(Message::source_limit, {script.file, 0, 0}, most);
+        program.main = read_syntax(script.file, sources, program.symbols, program.vocabulary,
+                                   limits.nesting, report);
+    } catch (const StopReading&) {
+    }
+    return script;
+}
+
+Evaluation evaluate(const Script& script, const Definitions& definitions, const Limits& limits,
+                    SourceMap& sources, std::vector<Diagnostic>& found, const Loader& loader) {
+    Evaluation result;
+    Report report(found);
+    Report usage(result.usage_errors);
+    try {
+        Evaluator evaluator(*script.program, definitions, limits, sources, report, loader);
+        try {
+            evaluator.read_definitions(usage);
+            evaluator.run();
+            evaluator.check_definitions(usage);
+        } catch (const StopReading&) {
+        }
+        result.scene = evaluator.take_scene();
+        result.printed = evaluator.take_printed();
+    } catch (const StopReading&) {
+    }
+    return result;
+}
+
+}  // namespace lancer

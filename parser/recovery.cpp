@@ -1,0 +1,225 @@
+// What the builder does about syntax errors: says what was expected, and finds the next statement
+// of the same depth to go on with.
+#include <algorithm>
+
+#include "parser/builder.h"
+#include "parser/scan.h"
+
+namespace lancer::grammar {
+
+using Kind = ast::Statement::Kind;
+using Token = scan::Token;
+
+/// The token at `at` for a message; at the end of the text the last one before it.
+SourceSpan Builder::span_of_token(const char* at) const {
+    const Token token = scan::next_token(text_, offset_of(at));
+    if (token.kind != Token::Kind::end)
+        return file_.span(static_cast<std::uint32_t>(token.begin),
+                          static_cast<std::uint32_t>(token.end - token.begin));
+    std::size_t last = text_.size();
+    while (last > 0 && scan::is_blank(text_[last - 1])) --last;
+    return file_.span(static_cast<std::uint32_t>(last), 0);
+}
+
+std::string Builder::found_at(const char* at) const {
+    constexpr std::size_t longest = 30;
+    const Token token = scan::next_token(text_, offset_of(at));
+    if (token.kind == Token::Kind::end) return "the end of the file";
+    std::string_view text = text_.substr(token.begin, token.end - token.begin);
+    if (text.size() <= longest) return "'" + std::string(text) + "'";
+    std::size_t cut = longest;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;
+    return "'" + std::string(text.substr(0, cut)) + "...'";
+}
+
+void Builder::report_stray(const char* at) {
+    const SourceSpan where = span(at, at + 1);
+    if (*at == '}') {
+        report_.error(Message::stray_close_brace, where);
+    } else if (*at == '=') {
+        Diagnostic* error = report_.error(Message::stray_equals, where);
+        if (error != nullptr && !contexts_.back().properties->knows(building_.back().word))
+            error->hint = "to give a value a name, write 'let " +
+                          std::string(symbols_.text(building_.back().word)) + " = ...'";
+    } else {
+        report_.error(Message::stray_separator, where, std::string_view(at, 1));
+    }
+}
+
+void Builder::missing_open_brace(const char* at) {
+    const std::string_view word = word_at(at);
+    if (word.empty() || !block_being_opened_knows(at, word))
+        throw SyntaxError{Message::expected_open_brace, at};
+    report_.error(Message::expected_open_brace, span_of_token(at), found_at(at));
+}
+
+Builder::Mark Builder::mark(const char* at) const {
+    return {at,
+            building_.size(),
+            pending_.size(),
+            contexts_.size(),
+            file_.arguments.size(),
+            file_.steps.size(),
+            operators_.size(),
+            bases_.size(),
+            branches_.size(),
+            counts_.size(),
+            brackets_.size(),
+            labels_.size(),
+            callees_.size(),
+            values_.size(),
+            else_marks_.size(),
+            nesting_};
+}
+
+void Builder::report(const Mark& mark, const SyntaxError& error) {
+    const SourceSpan where = span_of_token(error.at);
+    const std::string found = found_at(error.at);
+    Diagnostic* said = nullptr;
+    switch (error.message) {
+        case Message::comment_not_closed:
+            report_.error(error.message, span(comment_open_, comment_open_ + 2));
+            cut_short_ = true;
+            return;
+        case Message::string_not_closed:
+            report_.error(error.message, span(string_open_, error.at));
+            return;
+        case Message::unknown_escape:
+            report_.error(error.message, span(error.at - 1, error.at + 1));
+            return;
+        case Message::color_digits:
+            report_.error(error.message,
+                          span(std::find(std::make_reverse_iterator(error.at),
+                                         std::make_reverse_iterator(text_.data()), '#')
+                                       .base() -
+                                   1,
+                               error.at));
+            return;
+        case Message::nesting_limit:
+            report_.error(error.message, where, nesting_limit_);
+            return;
+        case Message::expected_value: {
+            const bool property =
+                building_.size() > mark.building && building_.back().kind == Kind::property;
+            if (property) {
+                const ast::Statement& s = building_.back();
+                said = report_.error(error.message, where, symbols_.text(s.word), found);
+                if (said != nullptr && value_is_left_out(error.at)) said->where = file_.span(s);
+            } else {
+                report_.error(Message::expected_expression, where, found);
+            }
+            return;
+        }
+        case Message::expected_close:
+            said = report_.error(error.message, where, *brackets_.back() == '[' ? ']' : ')', found);
+            break;
+        case Message::expected_index_close:
+        case Message::expected_paren_close:
+            said = report_.error(error.message, where, found);
+            break;
+        case Message::expected_name:
+            if (where.length > 0 && scan::is_reserved(text_.substr(where.offset, where.length))) {
+                report_.error(Message::name_reserved, where,
+                              text_.substr(where.offset, where.length));
+                return;
+            }
+            report_.error(error.message, where, found);
+            return;
+        default:
+            report_.error(error.message, where, found);
+            return;
+    }
+    if (said != nullptr && brackets_.size() > mark.brackets)
+        said->notes.insert(
+            said->notes.begin(),
+            Report::note(Message::opened_here, span(brackets_.back(), brackets_.back() + 1)));
+}
+
+const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
+    report(mark, error);
+    contexts_.resize(mark.contexts);
+    contexts_.back().damaged = true;
+    pending_.resize(mark.pending);
+    if (building_.size() > mark.building) {
+        // Whatever it declares counts as declared: an error is not to bring others after it.
+        ast::Statement broken = building_[mark.building];
+        if (broken.name != no_symbol && broken.kind != Kind::loop) {
+            broken.kind = Kind::broken;
+            pending_.push_back(broken);
+        }
+        building_.resize(mark.building);
+    }
+    file_.arguments.resize(mark.arguments);
+    file_.steps.resize(mark.steps);
+    operators_.resize(mark.operators);
+    bases_.resize(mark.bases);
+    branches_.resize(mark.branches);
+    counts_.resize(mark.counts);
+    brackets_.resize(mark.brackets);
+    labels_.resize(mark.labels);
+    callees_.resize(mark.callees);
+    values_.resize(mark.values);
+    else_marks_.resize(mark.else_marks);
+    nesting_ = mark.nesting;
+    if (error.message == Message::comment_not_closed) return text_.data() + text_.size();
+
+    const PropertySet& known = *contexts_.back().properties;
+    const bool statements = !contexts_.back().properties_only;
+    const std::size_t start = scan::skip_blanks(text_, offset_of(mark.at));
+    const std::size_t stop = offset_of(error.at);
+    std::size_t brackets = 0;
+    std::size_t braces = 0;
+    Token token = scan::next_token(text_, start);
+    Token::Kind before = Token::Kind::end;
+    for (; token.kind != Token::Kind::end; token = scan::next_token(text_, token.end)) {
+        const bool past = token.begin >= stop && token.begin > start;
+        switch (token.kind) {
+            case Token::Kind::open:
+                ++brackets;
+                break;
+            case Token::Kind::close:
+                brackets -= brackets > 0;
+                break;
+            case Token::Kind::open_brace:
+                ++braces;
+                break;
+            case Token::Kind::close_brace:
+                if (past && braces == 0) return text_.data() + token.begin;
+                braces -= braces > 0;
+                if (braces == 0 && token.end > stop) {
+                    const Token next = scan::next_token(text_, token.end);
+                    if (text_.substr(next.begin, next.end - next.begin) != "else")
+                        return text_.data() + next.begin;
+                }
+                break;
+            case Token::Kind::name: {
+                if (!past || braces > 0) break;
+                const std::string_view word = text_.substr(token.begin, token.end - token.begin);
+                if (scan::begins_statement(word)) return text_.data() + token.begin;
+                if (scan::is_reserved(word)) break;
+                const Token next = scan::next_token(text_, token.end);
+                const bool value_follows =
+                    next.kind == Token::Kind::number || next.kind == Token::Kind::string ||
+                    next.kind == Token::Kind::name ||
+                    (next.kind == Token::Kind::open && text_[next.begin] == '[');
+                const bool first = scan::is_first_on_line(text_, token.begin);
+                const bool is_known = known.knows(symbols_.intern(word));
+                const bool after_operand =
+                    before != Token::Kind::other && before != Token::Kind::open;
+                const bool opens_block =
+                    next.kind == Token::Kind::open_brace ||
+                    (next.kind == Token::Kind::name && knows_block(word) && !is_known);
+                if ((statements && opens_block) || (is_known && (brackets == 0 || value_follows)) ||
+                    (brackets == 0 && (first || (value_follows && after_operand))))
+                    return text_.data() + token.begin;
+                break;
+            }
+            default:
+                break;
+        }
+        before = token.kind;
+    }
+    return text_.data() + text_.size();
+}
+
+}  // namespace lancer::grammar

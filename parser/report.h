@@ -1,0 +1,70 @@
+// Collects what is wrong with a script: once per place, with the calls that led there, up to a
+// bound.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "model/diagnostic.h"
+#include "parser/messages.h"
+
+namespace lancer {
+
+/// Thrown when nothing more is to be found: a limit was passed, or too many errors.
+struct StopReading {};
+
+/// A call or include that is being executed.
+struct CallSite {
+    SourceSpan place;
+    std::string_view name;  ///< of the template; of an include empty
+};
+
+class Report {
+  public:
+    /// Adds to `found`, where the errors of an earlier stage may stand already.
+    explicit Report(std::vector<Diagnostic>& found);
+
+    /// Adds a diagnostic, unless the same message was reported for this place. Returns it, for
+    /// hints and notes, or nullptr. The pointer holds until the next call.
+    template <class... Args>
+    Diagnostic* error(Message message, const SourceSpan& where, const Args&... args) {
+        return add(Severity::error, message, where, fill(message, args...));
+    }
+    template <class... Args>
+    Diagnostic* warning(Message message, const SourceSpan& where, const Args&... args) {
+        return add(Severity::warning, message, where, fill(message, args...));
+    }
+
+    template <class... Args>
+    static Diagnostic note(Message message, const SourceSpan& where, const Args&... args) {
+        return {Severity::note, where, fill(message, args...), "", {}};
+    }
+
+    /// Calls and includes that are being executed, outermost first: they become notes.
+    std::vector<CallSite> calls;
+
+    bool any_error() const { return errors_ > 0; }
+
+    /// Errors that one run reports.
+    static constexpr std::size_t most_errors = 100;
+    static constexpr std::size_t most_warnings = 100;
+
+  private:
+    template <class... Args>
+    static std::string fill(Message message, const Args&... args) {
+        return fmt::format(fmt::runtime(text_of(message)), args...);
+    }
+    Diagnostic* add(Severity severity, Message message, const SourceSpan& where, std::string text);
+
+    std::vector<Diagnostic>& found_;
+    std::set<std::tuple<std::uint32_t, std::uint32_t, Message>> seen_;
+    std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
+    bool full_ = false;
+};
+
+}  // namespace lancer

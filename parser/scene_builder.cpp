@@ -1,0 +1,166 @@
+#include "parser/scene_builder.h"
+
+#include <utility>
+#include <variant>
+
+namespace lancer {
+namespace {
+
+Vec3d moved_point(const Transform& m, const Vec3d& p) {
+    return convert<double>(map_point(m, convert<long double>(p)));
+}
+
+/// The light after a group's transforms; false when it left the range of numbers.
+bool move(LightKind& kind, const Transform& m) {
+    if (auto* point = std::get_if<PointLight>(&kind)) {
+        point->position = moved_point(m, point->position);
+        return is_finite(point->position);
+    }
+    if (auto* spot = std::get_if<SpotLight>(&kind)) {
+        spot->position = moved_point(m, spot->position);
+        spot->look_at = moved_point(m, spot->look_at);
+        return is_finite(spot->position) && is_finite(spot->look_at) &&
+               spot->position != spot->look_at;
+    }
+    auto& directional = std::get<DirectionalLight>(kind);
+    const auto exact = map_vector(m, convert<long double>(directional.direction));
+    directional.direction = convert<double>(exact);
+    return is_finite(directional.direction) && directional.direction != Vec3d(0, 0, 0);
+}
+
+}  // namespace
+
+void SceneBuilder::count(std::size_t made, const SourceSpan& place, const char* what) {
+    if (made < meter_.limits().objects) return;
+    report_.error(Message::object_limit, place, meter_.limits().objects, what);
+    throw StopReading{};
+}
+
+std::uint32_t SceneBuilder::name_index(const std::string& name) {
+    if (name.empty()) return none;
+    const auto [at, is_new] = names_.emplace(name, static_cast<std::uint32_t>(scene.names.size()));
+    if (is_new) scene.names.push_back(name);
+    return at->second;
+}
+
+std::uint32_t SceneBuilder::transform_index(const Transform& exact, const SourceSpan& place) {
+    Affine<double> rounded;
+    if (is_singular(exact) || !round_transform(exact, rounded)) {
+        report_.error(Message::transform_singular, place);
+        return 0;
+    }
+    if (rounded == scene.transforms.front()) return 0;
+    if (rounded != scene.transforms.back()) scene.transforms.push_back(rounded);
+    return static_cast<std::uint32_t>(scene.transforms.size() - 1);
+}
+
+void SceneBuilder::open_group(const SourceSpan& place) {
+    if (groups_.empty()) {
+        first_object_ = scene.objects.size();
+        first_light_ = scene.lights.size();
+    }
+    count(nodes_.size(), place, "groups and moved objects within one group");
+    Node node;
+    node.parent = groups_.empty() ? none : groups_.back();
+    groups_.push_back(static_cast<std::uint32_t>(nodes_.size()));
+    nodes_.push_back(node);
+}
+
+void SceneBuilder::close_group(const Attributes& attributes) {
+    Node& node = nodes_[groups_.back()];
+    node.map = attributes.transforms.map;
+    node.moves = attributes.transforms.given;
+    node.material = attributes.material;
+    node.name = name_index(attributes.name);
+    node.shadow = attributes.shadow;
+    groups_.pop_back();
+    if (groups_.empty()) resolve();
+}
+
+/// The outermost group is complete: nodes become world transforms, children take what they inherit.
+void SceneBuilder::resolve() {
+    for (Node& node : nodes_) {
+        if (node.parent == none) continue;
+        const Node& parent = nodes_[node.parent];
+        if (parent.moves) {
+            node.map = node.moves ? compose(parent.map, node.map) : parent.map;
+            node.moves = true;
+        }
+        if (node.material == none) node.material = parent.material;
+        if (node.name == none) node.name = parent.name;
+        node.shadow = node.shadow && parent.shadow;
+    }
+    for (std::size_t i = first_object_; i < scene.objects.size(); ++i) {
+        Object& object = scene.objects[i];
+        Node& node = nodes_[object.transform];
+        if (node.transform == none)
+            node.transform = node.moves ? transform_index(node.map, object.place) : 0;
+        object.transform = node.transform;
+        if (object.material == none) object.material = node.material == none ? 0 : node.material;
+        if (object.name == none) object.name = node.name;
+        object.casts_shadow = object.casts_shadow && node.shadow;
+    }
+    for (std::size_t i = first_light_; i < scene.lights.size(); ++i) {
+        const Node& node = nodes_[light_nodes_[i - first_light_]];
+        if (node.moves && !move(scene.lights[i].kind, node.map))
+            report_.error(Message::transform_singular, scene.lights[i].place);
+    }
+    nodes_.clear();
+    light_nodes_.clear();
+}
+
+void SceneBuilder::add(const Shape& shape, const Attributes& attributes, const SourceSpan& place) {
+    count(scene.objects.size(), place, "objects");
+    Object object;
+    object.shape = shape;
+    object.material = attributes.material;
+    object.name = name_index(attributes.name);
+    object.casts_shadow = attributes.shadow;
+    object.place = place;
+    if (groups_.empty()) {
+        if (object.material == none) object.material = 0;
+        if (attributes.transforms.given)
+            object.transform = transform_index(attributes.transforms.map, place);
+    } else if (attributes.transforms.given) {
+        count(nodes_.size(), place, "groups and moved objects within one group");
+        Node node;
+        node.map = attributes.transforms.map;
+        node.moves = true;
+        node.parent = groups_.back();
+        object.transform = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back(node);
+    } else {
+        object.transform = groups_.back();
+    }
+    scene.objects.push_back(object);
+}
+
+void SceneBuilder::add(const Light& light) {
+    count(scene.lights.size(), light.place, "lights");
+    scene.lights.push_back(light);
+    if (!groups_.empty()) light_nodes_.push_back(groups_.back());
+}
+
+std::uint32_t SceneBuilder::add(const Material& material, std::string_view name,
+                                const SourceSpan& place) {
+    count(scene.materials.size(), place, "materials");
+    scene.materials.push_back(material);
+    if (!name.empty()) {
+        scene.material_names.resize(scene.materials.size());
+        scene.material_names.back() = name;
+    }
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+std::uint32_t SceneBuilder::add(const Texture& texture, const SourceSpan& place) {
+    count(scene.textures.size(), place, "textures");
+    scene.textures.push_back(texture);
+    return static_cast<std::uint32_t>(scene.textures.size() - 1);
+}
+
+void SceneBuilder::add(const Camera& camera) {
+    count(scene.cameras.size(), camera.place, "cameras");
+    scene.cameras.push_back(camera);
+}
+
+}  // namespace lancer

@@ -1,0 +1,88 @@
+// Which name means what, where: one lexical scope for let, param, def, material and texture.
+//
+// Templates see the names of the place where they were written. Since they are no values, whoever
+// can call one stands inside the scope that holds it, so all scopes that a body can see are still
+// open, and one stack of bindings serves them all. Each name knows its newest binding; a binding
+// counts when its scope is the one that the running code sees at that depth ("display", Dijkstra),
+// and when it was made before the template that is running.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "parser/ast.h"
+#include "parser/value.h"
+
+namespace lancer {
+
+struct Binding {
+    enum class Kind : std::uint8_t { value, definition, broken_definition };
+
+    Kind kind = Kind::value;
+    Symbol name = no_symbol;
+    Value value;
+    const ast::File* file = nullptr;             ///< of a template
+    const ast::Statement* definition = nullptr;  ///< of a template
+    SourceSpan place;                            ///< of the name in its definition
+    std::uint32_t scope = 0;                     ///< set by bind()
+    std::uint32_t depth = 0;                     ///< set by bind()
+    std::uint32_t previous = 0;                  ///< set by bind(): the next older one of the name
+};
+
+class Scopes {
+  public:
+    void open();
+    void close();
+
+    /// Adds to the innermost scope. The name must be new there: see find_here().
+    void bind(Binding binding);
+    /// What a name means here; nullptr: nothing. Holds until the next bind() or close().
+    const Binding* find(Symbol name) const;
+    /// The template that a call of this name means here.
+    const Binding* find_template(Symbol name) const;
+    /// The binding of the name in the innermost scope itself.
+    const Binding* find_here(Symbol name) const;
+
+    /// Calls `visit(symbol)` for each name that can be seen from here.
+    template <class Visit>
+    void for_each_visible(Visit visit) const {
+        for (std::uint32_t i = 1; i < bindings_.size(); ++i)
+            if (is_visible(i)) visit(bindings_[i]);
+    }
+
+    /// What leave() needs to go back to the caller.
+    struct Caller {
+        std::uint32_t depth = 0;
+        std::uint32_t template_depth = 0;
+        std::uint32_t limit = 0;
+    };
+    /// Sees what the template's body sees. Open a scope for its parameters next.
+    Caller enter(const Binding& definition);
+    void leave(const Caller& caller);
+
+  private:
+    static constexpr std::uint32_t unlimited = 0xFFFFFFFF;
+
+    struct Level {
+        std::uint32_t scope = unlimited;
+        std::uint32_t limit = unlimited;  ///< bindings from here on were made later
+    };
+    struct Scope {
+        std::uint32_t first_binding = 0;
+        Level overwritten;
+    };
+
+    bool is_visible(std::uint32_t index) const {
+        const Binding& b = bindings_[index];
+        return b.depth <= depth_ && display_[b.depth].scope == b.scope &&
+               index < display_[b.depth].limit;
+    }
+
+    std::vector<Binding> bindings_{Binding{}};  ///< the first is none
+    std::vector<std::uint32_t> newest_;         ///< by symbol; 0: none
+    std::vector<Scope> scopes_;
+    std::vector<Level> display_{Level{}};
+    std::uint32_t depth_ = 0;
+};
+
+}  // namespace lancer

@@ -1,0 +1,389 @@
+// Runs statements, one frame at a time.
+#include <cmath>
+
+#include "parser/block_reader.h"
+#include "parser/evaluator.h"
+#include "parser/suggest.h"
+
+namespace lancer {
+
+using Kind = ast::Statement::Kind;
+
+Evaluator::Frame& Evaluator::push(Frame::Kind kind, const ast::File& file, const ast::Range& body) {
+    const bool file_level =
+        kind == Frame::Kind::include && !frames_.empty() && frames_.back().file_level;
+    Frame& frame = frames_.emplace_back();
+    frame.kind = kind;
+    frame.file_level = file_level;
+    frame.file = &file;
+    frame.first = frame.next = body.begin;
+    frame.end = body.end;
+    return frame;
+}
+
+void Evaluator::run() {
+    scopes_.open();
+    push(Frame::Kind::include, program_.main, program_.main.body).file_level = true;
+    while (!frames_.empty()) step();
+}
+
+void Evaluator::step() {
+    Frame& frame = frames_.back();
+    if (frame.next == frame.end) {
+        end_frame();
+        return;
+    }
+    const ast::File& file = *frame.file;
+    const ast::Statement& statement = file.statements[frame.next++];
+    meter_.statement(file.span(statement));
+    execute(file, statement);
+}
+
+void Evaluator::execute(const ast::File& file, const ast::Statement& statement) {
+    switch (statement.kind) {
+        case Kind::property:
+            execute_property(file, statement);
+            break;
+        case Kind::block:
+            execute_block(file, statement);
+            break;
+        case Kind::call:
+            execute_call(file, statement);
+            break;
+        case Kind::let:
+            execute_let(file, statement);
+            break;
+        case Kind::param:
+            execute_param(file, statement);
+            break;
+        case Kind::def:
+            execute_def(file, statement);
+            break;
+        case Kind::loop:
+            execute_loop(file, statement);
+            break;
+        case Kind::choice:
+            execute_choice(file, statement);
+            break;
+        case Kind::include:
+            execute_include(file, statement);
+            break;
+        case Kind::assertion:
+            execute_assertion(file, statement);
+            break;
+        case Kind::print:
+            execute_print(file, statement);
+            break;
+        case Kind::broken: {
+            Binding binding;
+            binding.kind = text(statement.word) == "def" ? Binding::Kind::broken_definition
+                                                         : Binding::Kind::value;
+            binding.name = statement.name;
+            binding.place = file.name_span(statement);
+            if (scopes_.find_here(binding.name) == nullptr) scopes_.bind(std::move(binding));
+            break;
+        }
+    }
+}
+
+void Evaluator::end_frame() {
+    Frame& frame = frames_.back();
+    switch (frame.kind) {
+        case Frame::Kind::body:
+            scopes_.close();
+            break;
+        case Frame::Kind::loop:
+            scopes_.close();
+            if (next_iteration(frame)) return;
+            break;
+        case Frame::Kind::call:
+            scopes_.close();
+            scopes_.leave(frame.caller);
+            group_ = frame.outer_group;
+            report_.calls.pop_back();
+            break;
+        case Frame::Kind::group: {
+            scopes_.close();
+            builder_.close_group(groups_.back().attributes);
+            groups_.pop_back();
+            group_ = frame.outer_group;
+            break;
+        }
+        case Frame::Kind::include:
+            if (frames_.size() > 1) {
+                report_.calls.pop_back();
+                including_.pop_back();
+            } else {
+                scopes_.close();
+            }
+            break;
+    }
+    frames_.pop_back();
+}
+
+bool Evaluator::declare(Binding binding) {
+    if (const Binding* first = scopes_.find_here(binding.name)) {
+        Diagnostic* error =
+            report_.error(Message::already_defined, binding.place, text(binding.name));
+        if (error != nullptr)
+            error->notes.insert(error->notes.begin(),
+                                Report::note(Message::first_here, first->place));
+        return false;
+    }
+    scopes_.bind(std::move(binding));
+    return true;
+}
+
+void Evaluator::execute_let(const ast::File& file, const ast::Statement& statement) {
+    Binding binding;
+    binding.name = statement.name;
+    binding.place = file.name_span(statement);
+    binding.value = evaluate(file, statement.value);
+    declare(std::move(binding));
+}
+
+void Evaluator::execute_param(const ast::File& file, const ast::Statement& statement) {
+    if (!frames_.back().file_level) report_.error(Message::param_not_at_top, file.span(statement));
+    Binding binding;
+    binding.name = statement.name;
+    binding.place = file.name_span(statement);
+    params_.push_back(statement.name);
+    binding.value = evaluate(file, statement.value);
+    if (const auto given = defined_.find(statement.name); given != defined_.end()) {
+        binding.value = given->second.first;
+        given->second.second = true;
+    }
+    declare(std::move(binding));
+}
+
+bool Evaluator::condition(const ast::File& file, const ast::Expression& expression,
+                          std::string_view what, bool& result) {
+    const Value value = evaluate(file, expression);
+    if (value.is_broken()) return false;
+    if (!value.is(Value::Kind::boolean)) {
+        report_.error(Message::condition_type, file.span(expression), what, describe(value));
+        return false;
+    }
+    result = value.boolean();
+    return true;
+}
+
+void Evaluator::execute_choice(const ast::File& file, const ast::Statement& statement) {
+    bool result = false;
+    if (!condition(file, statement.value, "'if'", result)) return;
+    if (!result && !statement.has_otherwise) return;
+    const bool file_level = false;
+    scopes_.open();
+    push(Frame::Kind::body, file, result ? statement.body : statement.otherwise).file_level =
+        file_level;
+}
+
+void Evaluator::execute_loop(const ast::File& file, const ast::Statement& statement) {
+    Value from = evaluate(file, statement.value);
+    Value to;
+    const bool is_range = !statement.arguments.empty();
+    if (is_range) {
+        const ast::Expression& end = file.arguments[statement.arguments.begin].value;
+        to = evaluate(file, end);
+        const auto whole = [&](const Value& v, const ast::Expression& e) {
+            constexpr double most = 9007199254740992.0;  // beyond 2^53 not every number is there
+            if (v.is_broken()) return false;
+            if (v.is_number() && v.number() == std::floor(v.number()) &&
+                std::abs(v.number()) <= most)
+                return true;
+            report_.error(Message::range_bound, file.span(e), describe(v));
+            return false;
+        };
+        const bool good = whole(from, statement.value);
+        if (!whole(to, end) || !good) return;
+    } else if (from.is_broken()) {
+        return;
+    } else if (!from.is_list()) {
+        report_.error(Message::loop_type, file.span(statement.value), describe(from));
+        return;
+    }
+    Frame& frame = push(Frame::Kind::loop, file, statement.body);
+    frame.statement = &statement;
+    frame.is_range = is_range;
+    if (is_range) {
+        frame.start = from.number();
+        frame.count = to.number() > from.number()
+                          ? static_cast<std::uint64_t>(to.number() - from.number())
+                          : 0;
+    } else {
+        frame.count = from.size();
+        frame.list = std::move(from);
+    }
+    if (!next_iteration(frame)) frames_.pop_back();
+}
+
+bool Evaluator::next_iteration(Frame& frame) {
+    if (frame.position == frame.count) return false;
+    const ast::File& file = *frame.file;
+    meter_.statement(file.span(*frame.statement));
+    Binding binding;
+    binding.name = frame.statement->name;
+    binding.place = file.name_span(*frame.statement);
+    binding.value = frame.is_range ? Value(frame.start + static_cast<double>(frame.position))
+                                   : frame.list.at(frame.position);
+    ++frame.position;
+    frame.next = frame.first;
+    scopes_.open();
+    scopes_.bind(std::move(binding));
+    return true;
+}
+
+void Evaluator::execute_assertion(const ast::File& file, const ast::Statement& statement) {
+    bool holds = false;
+    if (!condition(file, statement.value, "'assert'", holds) || holds) return;
+    std::string message(sources_.text(file.span(statement.value)));
+    if (!statement.arguments.empty()) {
+        const ast::Expression& given = file.arguments[statement.arguments.begin].value;
+        const Value value = evaluate(file, given);
+        if (value.is_broken()) return;
+        if (!value.is(Value::Kind::text)) {
+            report_.error(Message::assertion_message, file.span(given), describe(value));
+            return;
+        }
+        message = value.text();
+    }
+    report_.error(Message::assertion_failed, file.span(statement.value), message);
+}
+
+void Evaluator::execute_print(const ast::File& file, const ast::Statement& statement) {
+    std::string line;
+    for (std::uint32_t i = statement.arguments.begin; i < statement.arguments.end; ++i) {
+        const Value value = evaluate(file, file.arguments[i].value);
+        if (i > statement.arguments.begin) line += ' ';
+        line += to_text(value, meter_.text_left());
+    }
+    meter_.text(line.size() + sizeof line, file.span(statement));
+    printed_.push_back(std::move(line));
+}
+
+void Evaluator::execute_property(const ast::File& file, const ast::Statement& statement) {
+    const Vocabulary& vocabulary = program_.vocabulary;
+    const std::string_view word = text(statement.word);
+    if (const PropertySet& known = vocabulary.file().properties; known.knows(statement.word)) {
+        const Field& field = known.field(known.index(statement.word));
+        SourceSpan& first = word == "background" ? background_place : ambient_place;
+        if (is_repeated(word, first, file.span(statement))) return;
+        BlockReader::read_property(*this, file, statement, field, &builder_.scene);
+        return;
+    }
+    const BlockWord& group = *vocabulary.block(vocabulary.group, no_symbol);
+    const std::uint8_t index = group.properties.index(statement.word);
+    if (group_ != none && index != PropertySet::unknown) {
+        const Field& field = group.properties.field(index);
+        Group& open = groups_[group_];
+        if (!field.repeats && is_repeated(word, open.given[index], file.span(statement))) return;
+        BlockReader::read_property(*this, file, statement, field, &open.attributes);
+        return;
+    }
+    if (group_ != none) {
+        BlockReader::report_unknown(*this, file, statement, group.properties, "group");
+    } else if (vocabulary.is_block(statement.word)) {
+        report_.error(Message::property_is_block, file.span(statement), word);
+    } else {
+        Diagnostic* error = report_.error(Message::property_outside, file.span(statement), word);
+        if (error == nullptr) return;
+        Suggestion suggestion(word);
+        for (const BlockWord& block : vocabulary.blocks()) suggestion.consider(block.info->keyword);
+        for (const Field* field : vocabulary.file().properties.fields())
+            suggestion.consider(field->name);
+        for (const std::string_view reserved :
+             {"include", "let", "param", "def", "for", "if", "assert", "print"})
+            suggestion.consider(reserved);
+        error->hint = suggestion.hint();
+    }
+}
+
+void Evaluator::execute_block(const ast::File& file, const ast::Statement& statement) {
+    const Vocabulary& vocabulary = program_.vocabulary;
+    const SourceSpan place = file.span(statement);
+    const BlockWord* word = vocabulary.block(statement.word, statement.name);
+    if (word == nullptr) {
+        const bool light = statement.word == vocabulary.light;
+        if (light && statement.name == no_symbol) {
+            report_.error(Message::light_without_kind, place);
+            return;
+        }
+        const Symbol wrong = light ? statement.name : statement.word;
+        Diagnostic* error =
+            light ? report_.error(Message::unknown_light, file.name_span(statement), text(wrong))
+            : vocabulary.in_statements().knows(wrong)
+                ? report_.error(Message::block_is_property, place, text(wrong))
+                : report_.error(Message::unknown_block, place, text(wrong));
+        if (error == nullptr) return;
+        Suggestion suggestion(text(wrong));
+        for (const BlockWord& block : vocabulary.blocks())
+            if ((block.keyword == vocabulary.light) || !light)
+                suggestion.consider(light ? block.info->kind : block.info->keyword);
+        error->hint = suggestion.hint();
+        return;
+    }
+    if (word->keyword == vocabulary.group) {
+        if (statement.name != no_symbol)
+            report_.error(Message::block_takes_no_name, file.name_span(statement), "a group");
+        builder_.open_group(place);
+        Group& group = groups_.emplace_back();
+        group.given.resize(word->properties.fields().size());
+        Frame& frame = push(Frame::Kind::group, file, statement.body);
+        frame.outer_group = group_;
+        group_ = static_cast<std::uint32_t>(groups_.size() - 1);
+        scopes_.open();
+        return;
+    }
+    const bool names_value =
+        word->keyword == vocabulary.material || word->keyword == vocabulary.texture;
+    if (word->keyword == vocabulary.material && statement.name == no_symbol && group_ != none) {
+        const std::uint8_t index =
+            vocabulary.block(vocabulary.group, no_symbol)->properties.index(statement.word);
+        Group& open = groups_[group_];
+        if (is_repeated("material", open.given[index], place)) return;
+        open.attributes.material = make_inline_material(file, statement);
+        return;
+    }
+    const bool named = names_value || text(word->keyword) == "camera";
+    if (names_value && statement.name == no_symbol)
+        report_.error(Message::block_name_missing, place, word->info->keyword);
+    if (!named && word->kind == no_symbol && statement.name != no_symbol)
+        report_.error(Message::block_takes_no_name, file.name_span(statement),
+                      "a " + std::string(word->info->keyword));
+    BlockReader reader(*this, file, statement, *word);
+    std::uint32_t result = none;
+    maker_of (*word->info)(reader, result);
+    if (!names_value || statement.name == no_symbol) return;
+    Binding binding;
+    binding.name = statement.name;
+    binding.place = file.name_span(statement);
+    if (result != none)
+        binding.value =
+            word->keyword == vocabulary.material ? Value::material(result) : Value::texture(result);
+    declare(std::move(binding));
+}
+
+std::uint32_t Evaluator::make_inline_material(const ast::File& file,
+                                              const ast::Statement& statement) {
+    const BlockWord& word = *program_.vocabulary.block(program_.vocabulary.material, no_symbol);
+    if (statement.name != no_symbol)
+        report_.error(Message::block_takes_no_name, file.name_span(statement),
+                      "a material inside a shape");
+    BlockReader reader(*this, file, statement, word);
+    std::uint32_t result = none;
+    maker_of (*word.info)(reader, result);
+    return result;
+}
+
+bool Evaluator::is_repeated(std::string_view word, SourceSpan& first, const SourceSpan& place) {
+    if (first.file == SourceSpan::nowhere) {
+        first = place;
+        return false;
+    }
+    Diagnostic* error = report_.error(Message::given_twice, place, word);
+    if (error != nullptr)
+        error->notes.insert(error->notes.begin(), Report::note(Message::first_here, first));
+    return true;
+}
+
+}  // namespace lancer

@@ -1,0 +1,29 @@
+// "Did you mean …?"
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lancer {
+
+/// Collects candidates for a misspelt word and keeps the nearest.
+class Suggestion {
+  public:
+    explicit Suggestion(std::string_view word);
+    void consider(std::string_view candidate);
+    /// "did you mean 'radius'?", or empty when nothing is near.
+    std::string hint() const;
+
+  private:
+    std::string_view word_;
+    std::string best_;
+    std::size_t least_;
+};
+
+/// Least number of insertions, deletions, substitutions and swaps of neighbours that make one word
+/// of the other, letters compared without case; `limit` + 1 when more. Source: Damerau 1964, in
+/// the restricted form (optimal string alignment).
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
+
+}  // namespace lancer

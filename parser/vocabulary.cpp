@@ -1,0 +1,55 @@
+#include "parser/vocabulary.h"
+
+namespace lancer {
+
+void PropertySet::add(Symbol word, const Field& field) {
+    if (knows(word)) return;
+    if (index_.size() <= word) index_.resize(word + 1, unknown);
+    index_[word] = static_cast<std::uint8_t>(fields_.size());
+    fields_.push_back(&field);
+}
+
+Vocabulary::Vocabulary(Symbols& symbols)
+    : light(symbols.intern("light")),
+      group(symbols.intern("group")),
+      material(symbols.intern("material")),
+      texture(symbols.intern("texture")) {
+    for (const BlockInfo& info : all_blocks()) {
+        BlockWord& block = blocks_.emplace_back();
+        block.info = &info;
+        block.own_fields = info.own.size();
+        if (!info.keyword.empty()) {
+            block.keyword = symbols.intern(info.keyword);
+            if (is_block_.size() <= block.keyword) is_block_.resize(block.keyword + 1);
+            is_block_[block.keyword] = true;
+        }
+        if (!info.kind.empty()) block.kind = symbols.intern(info.kind);
+        for (const auto& part : {info.own, info.shared}) {
+            for (const Field& field : part) {
+                const Symbol word = symbols.intern(field.name);
+                block.properties.add(word, field);
+                any_.add(word, field);
+                if (block.keyword == light) any_light_.add(word, field);
+                if (block.keyword == group || info.keyword.empty()) in_statements_.add(word, field);
+            }
+        }
+    }
+    for (const BlockWord& block : blocks_)
+        if (block.info->keyword.empty()) file_ = &block;
+}
+
+const BlockWord* Vocabulary::block(Symbol keyword, Symbol name) const {
+    if (!is_block(keyword)) return nullptr;
+    for (const BlockWord& block : blocks_)
+        if (block.keyword == keyword && (block.kind == no_symbol || block.kind == name))
+            return &block;
+    return nullptr;
+}
+
+const PropertySet& Vocabulary::properties(Symbol keyword, Symbol name) const {
+    if (keyword == group) return in_statements_;
+    if (const BlockWord* found = block(keyword, name)) return found->properties;
+    return keyword == light ? any_light_ : any_;
+}
+
+}  // namespace lancer

@@ -1,0 +1,63 @@
+// The words of the language as symbols: which blocks there are and which properties each knows.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "parser/field.h"
+#include "parser/symbols.h"
+
+namespace lancer {
+
+/// The properties of one block by symbol.
+class PropertySet {
+  public:
+    static constexpr std::uint8_t unknown = 0xFF;
+
+    bool knows(Symbol word) const { return index(word) != unknown; }
+    /// Position in own fields, then shared ones; `unknown` when the block has no such property.
+    std::uint8_t index(Symbol word) const { return word < index_.size() ? index_[word] : unknown; }
+    const Field& field(std::uint8_t index) const { return *fields_[index]; }
+    const std::vector<const Field*>& fields() const { return fields_; }
+    void add(Symbol word, const Field& field);
+
+  private:
+    std::vector<std::uint8_t> index_;
+    std::vector<const Field*> fields_;
+};
+
+struct BlockWord {
+    const BlockInfo* info = nullptr;
+    Symbol keyword = no_symbol;
+    Symbol kind = no_symbol;
+    PropertySet properties;
+    std::size_t own_fields = 0;
+};
+
+class Vocabulary {
+  public:
+    explicit Vocabulary(Symbols& symbols);
+
+    bool is_block(Symbol word) const { return word < is_block_.size() && is_block_[word]; }
+    /// The block with this keyword and, for a light, this kind. nullptr: there is none.
+    const BlockWord* block(Symbol keyword, Symbol name) const;
+    /// What the grammar takes as a property inside a block; for unknown blocks: any property.
+    const PropertySet& properties(Symbol keyword, Symbol name) const;
+    /// In files, groups and templates: the properties of a group, `background` and `ambient`.
+    const PropertySet& in_statements() const { return in_statements_; }
+    const BlockWord& file() const { return *file_; }
+    const std::vector<BlockWord>& blocks() const { return blocks_; }
+
+    Symbol light, group, material, texture;
+
+  private:
+    std::vector<BlockWord> blocks_;
+    std::vector<bool> is_block_;
+    const BlockWord* file_ = nullptr;
+    PropertySet in_statements_;
+    PropertySet any_;
+    PropertySet any_light_;
+};
+
+}  // namespace lancer
