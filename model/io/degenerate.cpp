@@ -29,8 +29,8 @@ bool is_degenerate(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     Vec3d e = edge(b, a);
     Vec3d f = edge(b, c);
     const Vec3d g = edge(a, c);
-    const double largest =
-        std::max({max_component(absolute(e)), max_component(absolute(f)), max_component(absolute(g))});
+    const double largest = std::max(
+        {max_component(absolute(e)), max_component(absolute(f)), max_component(absolute(g))});
     if (!(largest > 0)) return true;  // halving the smallest number there is gives 0
     const auto size = [&](const Vec3d& v) {
         return length_squared(scaled_by_power_of_two(v, -std::ilogb(largest)));

@@ -60,6 +60,7 @@ StoredImage stored_image(const Image& image, const std::string& format,
     stored.image = Image(image.width, image.height, channels);
     if (all) stored.image.extra_names = image.extra_names;
 
+    const Quantizer quantizer(stored.bits, options.linear);
     double* out = stored.image.data.data();
     for (std::size_t at = 0; at < image.data.size();
          at += static_cast<std::size_t>(image.channels)) {
@@ -68,7 +69,7 @@ StoredImage stored_image(const Image& image, const std::string& format,
             double value = pixel[std::min(c, kept - 1)];
             const bool alpha = c == 3 && color == 4;
             if (stored.bits < 32) {
-                value = quantize(value, (1 << stored.bits) - 1, options.linear || alpha);
+                value = alpha ? quantizer.raw(value) : quantizer.encoded(value);
             } else if (stored.premultiplied && c < 3) {
                 value *= pixel[3];
             } else if (format == "hdr") {

@@ -18,9 +18,10 @@ struct Writer {
     png_infop info = nullptr;
     std::string bytes;
     std::string row;
+    Quantizer quantizer;
     std::string message;
 
-    Writer() = default;
+    explicit Writer(const ImageWriteOptions& options) : quantizer(options.bits, options.linear) {}
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
     ~Writer() { png_destroy_write_struct(&png, &info); }
@@ -45,16 +46,15 @@ void on_write(png_structp png, png_bytep data, std::size_t size) {
 void on_flush(png_structp) {}
 
 /// One row as PNG wants it: colour through the curve, alpha as it stands, 16 bits high byte first.
-void fill_row(std::string& row, const Image& image, int y, int channels,
-              const ImageWriteOptions& options) {
-    const int top = options.bits == 16 ? 65535 : 255;
+void fill_row(Writer& writer, const Image& image, int y, int channels, int bits) {
     std::size_t at = 0;
     for (int x = 0; x < image.width; ++x) {
         const double* pixel = image.pixel(x, y);
         for (int c = 0; c < channels; ++c) {
-            const unsigned step = quantize(pixel[c], top, options.linear || c == 3);
-            if (options.bits == 16) row[at++] = static_cast<char>(step >> 8);
-            row[at++] = static_cast<char>(step & 0xFF);
+            const unsigned step =
+                c == 3 ? writer.quantizer.raw(pixel[c]) : writer.quantizer.encoded(pixel[c]);
+            if (bits == 16) writer.row[at++] = static_cast<char>(step >> 8);
+            writer.row[at++] = static_cast<char>(step & 0xFF);
         }
     }
 }
@@ -66,6 +66,10 @@ bool write(Writer& writer, const Image& image, int channels, const ImageWriteOpt
                                            : PNG_COLOR_TYPE_RGB_ALPHA;
     png_set_write_fn(writer.png, &writer, on_write, on_flush);
     png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    // Measured on 1920 x 1080: the usual level 6 and all filters save 10% of the size and take four
+    // times as long.
+    png_set_compression_level(writer.png, options.bits == 8 ? 4 : 1);
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
                  static_cast<png_uint_32>(image.height), options.bits, color_type,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -76,7 +80,7 @@ bool write(Writer& writer, const Image& image, int channels, const ImageWriteOpt
     }
     png_write_info(writer.png, writer.info);
     for (int y = 0; y < image.height; ++y) {
-        fill_row(writer.row, image, y, channels, options);
+        fill_row(writer, image, y, channels, options.bits);
         png_write_row(writer.png, reinterpret_cast<png_const_bytep>(writer.row.data()));
     }
     png_write_end(writer.png, nullptr);
@@ -89,7 +93,7 @@ std::string encode_png(const Image& image, const ImageWriteOptions& options,
                        const std::string& name) {
     const int color = image.color_channels();
     const int channels = color >= 4 ? 4 : color == 3 ? 3 : 1;
-    Writer writer;
+    Writer writer(options);
     writer.row.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(channels) *
                       static_cast<std::size_t>(options.bits / 8));
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);

@@ -30,12 +30,13 @@ bool is_ppm(std::string_view bytes) {
 
 std::string encode_ppm(const Image& image, const ImageWriteOptions& options) {
     const int top = options.bits == 16 ? 65535 : 255;
+    const Quantizer quantizer(options.bits, options.linear);
     std::string bytes = fmt::format("P6\n{} {}\n{}\n", image.width, image.height, top);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             for (int c = 0; c < 3; ++c) {
                 const int channel = image.color_channels() < 3 ? 0 : c;
-                const unsigned step = quantize(image.pixel(x, y)[channel], top, options.linear);
+                const unsigned step = quantizer.encoded(image.pixel(x, y)[channel]);
                 if (top > 255) bytes += static_cast<char>(step >> 8);
                 bytes += static_cast<char>(step & 0xFF);
             }

@@ -1,6 +1,7 @@
 // Between linear light and the whole numbers of a file.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -9,14 +10,37 @@
 
 namespace lancer::io {
 
-/// The step nearest to `light` of a format with steps 0..`top`. What is outside [0, 1] is clamped;
-/// NaN, which no renderer should produce, becomes 0.
-inline std::uint16_t quantize(double light, int top, bool linear) {
-    if (!(light > 0)) return 0;
-    if (light >= 1) return static_cast<std::uint16_t>(top);
-    const double encoded = linear ? light : srgb_encode(light);
-    return static_cast<std::uint16_t>(std::floor(encoded * top + 0.5));
-}
+/// Light to the nearest of the steps of a format of 8 or 16 bits. What is outside [0, 1] is
+/// clamped; NaN, which no renderer should produce, becomes 0.
+class Quantizer {
+  public:
+    Quantizer(int bits, bool linear) : top_(bits == 16 ? 65535 : 255), linear_(linear) {
+        if (linear || bits == 16) return;
+        // Eight comparisons are four times as fast as a power.
+        for (int step = 1; step <= top_; ++step) {
+            thresholds_.push_back(srgb_decode((step - 0.5) / top_));
+        }
+    }
+
+    std::uint16_t encoded(double light) const {
+        if (linear_ || !(light > 0) || light >= 1) return raw(light);
+        if (thresholds_.empty()) return raw(srgb_encode(light));
+        return static_cast<std::uint16_t>(
+            std::upper_bound(thresholds_.begin(), thresholds_.end(), light) - thresholds_.begin());
+    }
+
+    /// Without the sRGB curve, for alpha.
+    std::uint16_t raw(double value) const {
+        if (!(value > 0)) return 0;
+        if (value >= 1) return static_cast<std::uint16_t>(top_);
+        return static_cast<std::uint16_t>(std::floor(value * top_ + 0.5));
+    }
+
+  private:
+    int top_;
+    bool linear_;
+    std::vector<double> thresholds_;  ///< where the steps 1..top begin; empty: compute
+};
 
 /// Linear light for each of the steps 0..`top` of a format that encodes light as `curve`(light);
 /// `decode` is its inverse, on [0, 1].

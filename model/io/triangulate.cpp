@@ -96,6 +96,7 @@ class Polygon {
             } else if (tried == left_ && repairs > 0 && cut_spikes(at)) {
                 --repairs;
                 classify();
+                at = first_;  // it may itself have been cut off
                 tried = 0;
             } else {
                 // A whole round without an ear: the outline touches or crosses itself. Corners of

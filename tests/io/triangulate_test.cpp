@@ -158,6 +158,17 @@ TEST(Triangulate, AlwaysEndsOnOutlinesThatCrossThemselves) {
     }
 }
 
+TEST(Triangulate, EndsWhenTheSpikeItCutsIsWhereItStands) {
+    // Found by a fuzzer: the walk went on from a corner that was no longer in the outline.
+    std::mt19937 random(9);
+    for (int trial = 0; trial < 3000; ++trial) {
+        std::vector<Vec3d> points;
+        const std::size_t count = 4 + random() % 12;
+        for (std::size_t i = 0; i < count; ++i) points.emplace_back(random() % 3, random() % 2, 0);
+        EXPECT_LE(split(points).size(), count - 2);
+    }
+}
+
 TEST(Triangulate, RefusesConcaveFacesThatWouldTakeForever) {
     const std::vector<Vec3d> points = comb(6000);
     Triangles triangles;
