@@ -1,0 +1,309 @@
+#include "tracer/splines/tessellate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "model/patch_net.h"
+#include "tracer/splines/bicubic.h"
+#include "tracer/splines/grid_size.h"
+
+namespace lancer::splines {
+namespace {
+
+using Wide = long double;
+
+Bicubic<Wide> wide(const BezierPatch& p) {
+    Bicubic<Wide> w;
+    for (std::size_t i = 0; i < 16; ++i) w[i] = convert<Wide>(p[i]);
+    return w;
+}
+
+/// Upper bound of the distance from q to the patch, the search ending once it is no more than
+/// `enough`: the best found by Gauss-Newton steps from (u, v).
+Wide distance(const Bicubic<Wide>& p, const Vec3<Wide>& q, Wide u, Wide v, Wide enough) {
+    Wide best = std::numeric_limits<Wide>::infinity();
+    for (int i = 0; i < 6 && best > enough; ++i) {
+        const auto s = sample(p, Place<Wide>(u), Place<Wide>(v));
+        const Vec3<Wide> d = q - s.point;
+        best = std::min(best, length(d));
+        const Wide a = dot(s.du, s.du);
+        const Wide b = dot(s.du, s.dv);
+        const Wide c = dot(s.dv, s.dv);
+        const Wide det = a * c - b * b;
+        if (!(det > 0)) break;
+        const Wide x = dot(s.du, d);
+        const Wide y = dot(s.dv, d);
+        u = std::clamp<Wide>(u + (c * x - b * y) / det, 0, 1);
+        v = std::clamp<Wide>(v + (a * y - b * x) / det, 0, 1);
+    }
+    return best;
+}
+
+/// The largest distance of sampled points of the mesh from the net's true surface.
+Wide measured_distance(const Patch& patch, const Mesh& mesh, int samples) {
+    const BezierNet net = bezier_net(patch);
+    Wide worst = 0;
+    for (const auto& face : mesh.faces) {
+        Vec2<Wide> middle(0, 0);
+        for (const auto corner : face)
+            middle += Vec2<Wide>(mesh.uvs[corner].x, mesh.uvs[corner].y) / Wide(3);
+        const auto column =
+            std::min(net.columns - 1, static_cast<std::size_t>(middle.x * net.columns));
+        const auto row = std::min(net.rows - 1, static_cast<std::size_t>(middle.y * net.rows));
+        const auto p = wide(net.patch(row, column));
+        for (int i = 0; i <= samples; ++i) {
+            for (int j = 0; i + j <= samples; ++j) {
+                const std::array<Wide, 3> w{Wide(i) / samples, Wide(j) / samples,
+                                            Wide(samples - i - j) / samples};
+                Vec3<Wide> q(0);
+                Vec2<Wide> uv(0, 0);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    q += w[k] * convert<Wide>(mesh.vertices[face[k]]);
+                    uv += w[k] * Vec2<Wide>(mesh.uvs[face[k]].x, mesh.uvs[face[k]].y);
+                }
+                const Wide u = std::clamp<Wide>(uv.x * net.columns - column, 0, 1);
+                const Wide v = std::clamp<Wide>(uv.y * net.rows - row, 0, 1);
+                worst = std::max(worst, distance(p, q, u, v, worst));
+            }
+        }
+    }
+    return worst;
+}
+
+Patch random_patch(unsigned seed, double factor, double flatness) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> shift(-1, 1);
+    Patch patch;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            const double bend = flatness * 2;
+            patch.control.push_back(Vec3d(j + 0.4 * shift(generator), bend * shift(generator),
+                                          i + 0.4 * shift(generator)) *
+                                    (factor / 3));
+        }
+    }
+    return patch;
+}
+
+/// Edges that have one face only, as pairs of places: the mesh's rim. A crack shows as more rim.
+std::size_t open_edges(const std::vector<const Mesh*>& meshes) {
+    using Key = std::array<double, 6>;
+    std::map<Key, int> count;
+    for (const Mesh* mesh : meshes) {
+        for (const auto& face : mesh->faces) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                Vec3d a = mesh->vertices[face[k]];
+                Vec3d b = mesh->vertices[face[(k + 1) % 3]];
+                const auto key = [](const Vec3d& p) { return std::array{p.x, p.y, p.z}; };
+                if (key(b) < key(a)) std::swap(a, b);
+                ++count[{a.x, a.y, a.z, b.x, b.y, b.z}];
+            }
+        }
+    }
+    return static_cast<std::size_t>(
+        std::ranges::count_if(count, [](const auto& edge) { return edge.second == 1; }));
+}
+
+TEST(Tessellate, DistanceIsWithinTheToleranceAtAnyScale) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        for (const double factor : {1.0, 1e9, 1e-9, 1e90, 1e-90}) {
+            if (seed > 1 && factor != 1) continue;
+            const Patch patch = random_patch(seed, factor, seed % 2 == 0 ? 1 : 0.1);
+            for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
+                const auto mesh = tessellate(patch, tolerance * factor);
+                ASSERT_TRUE(mesh);
+                const Wide worst = measured_distance(patch, *mesh, 6) / factor;
+                EXPECT_LE(worst, tolerance) << seed << " " << factor;
+                RecordProperty("worst", std::to_string(static_cast<double>(worst)));
+            }
+        }
+    }
+}
+
+TEST(Tessellate, EachPatchIsCutAsIfAlone) {
+    // Scaling by a power of two scales the mesh exactly.
+    const Patch patch = random_patch(1, 1, 1);
+    Patch large = patch;
+    for (Vec3d& p : large.control) p *= 1024.0;
+    const auto a = tessellate(patch, 1e-3);
+    const auto b = tessellate(large, 1.024);
+    ASSERT_EQ(a->vertices.size(), b->vertices.size());
+    for (std::size_t i = 0; i < a->vertices.size(); ++i) {
+        EXPECT_EQ(a->vertices[i] * 1024.0, b->vertices[i]);
+    }
+}
+
+/// The fewest triangles of a uniform grid whose measured distance keeps the tolerance.
+std::size_t fewest_uniform(const Patch& patch, double tolerance) {
+    const auto p = wide(bezier_net(patch).patch(0, 0));
+    const auto holds = [&](int nu, int nv) {
+        for (int i = 0; i < nu; ++i) {
+            for (int j = 0; j < nv; ++j) {
+                const auto at = [&](int k, int l) {
+                    return sample(p, Place<Wide>(k, nu), Place<Wide>(l, nv)).point;
+                };
+                const Vec3<Wide> a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1),
+                                 d = at(i, j + 1);
+                const auto ok = [&](const Vec3<Wide>& q, Wide x, Wide y) {
+                    return distance(p, q, (Wide(i) + x) / nu, (Wide(j) + y) / nv, tolerance) <=
+                           tolerance;
+                };
+                if (!ok((a + c) / Wide(2), 0.5, 0.5) || !ok((a + b) / Wide(2), 0.5, 0) ||
+                    !ok((b + c) / Wide(2), 1, 0.5) || !ok((c + d) / Wide(2), 0.5, 1) ||
+                    !ok((d + a) / Wide(2), 0, 0.5) ||
+                    !ok((a + b + c) / Wide(3), 2.0L / 3, 1.0L / 3) ||
+                    !ok((a + c + d) / Wide(3), 1.0L / 3, 2.0L / 3)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    };
+    std::size_t best = std::numeric_limits<std::size_t>::max();
+    constexpr int most = 150;
+    // From many steps in u to few, the steps in v can only grow.
+    int nv = 1;
+    for (int nu = most; nu >= 1; nu = nu * 10 / 11) {
+        while (nv < most && !holds(nu, nv)) ++nv;
+        if (nv >= most) break;
+        best = std::min(best, static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv) * 2);
+    }
+    return best;
+}
+
+TEST(Tessellate, FewTrianglesForItsPromise) {
+    // What a bound costs against measuring: the fewest are found by trial, tessellate() may not
+    // try.
+    for (unsigned seed = 0; seed < 4; ++seed) {
+        const Patch patch = random_patch(seed, 1, seed % 2 == 0 ? 1 : 0.1);
+        const auto mesh = tessellate(patch, 1e-2);
+        EXPECT_LE(mesh->faces.size(), 9 * fewest_uniform(patch, 1e-2)) << seed;
+    }
+}
+
+TEST(Tessellate, NoCracksWithinANetNorBetweenPatches) {
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> place(-1, 1);
+    Patch net{Patch::Basis::bspline, 7, 6, {}, {}};
+    for (int i = 0; i < 7; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            net.control.emplace_back(j + 0.3 * place(generator), 2 * place(generator),
+                                     i + 0.3 * place(generator));
+        }
+    }
+    for (const auto tolerance : {std::optional<double>{}, std::optional<double>{0.003}}) {
+        const auto whole = tessellate(net, tolerance);
+        ASSERT_TRUE(whole);
+        // The rim: the edges of the mesh that lie on the net's border.
+        std::size_t rim = 0;
+        for (const auto& face : whole->faces) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec2d a = whole->uvs[face[k]];
+                const Vec2d b = whole->uvs[face[(k + 1) % 3]];
+                rim += (a.x == b.x && (a.x == 0 || a.x == 1)) ||
+                       (a.y == b.y && (a.y == 0 || a.y == 1));
+            }
+        }
+        EXPECT_EQ(open_edges({&*whole}), rim);
+
+        // The same patches one by one, some of them turned round.
+        const BezierNet bezier = bezier_net(net);
+        std::vector<Mesh> parts;
+        for (std::size_t i = 0; i < bezier.rows; ++i) {
+            for (std::size_t j = 0; j < bezier.columns; ++j) {
+                const BezierPatch p = bezier.patch(i, j);
+                Patch single{Patch::Basis::bezier, 4, 4, {p.begin(), p.end()}, {}};
+                if ((i + j) % 2 == 1) std::ranges::reverse(single.control);
+                parts.push_back(*tessellate(single, tolerance));
+            }
+        }
+        std::vector<const Mesh*> all;
+        for (const Mesh& part : parts) all.push_back(&part);
+        EXPECT_EQ(open_edges(all), rim);
+    }
+}
+
+TEST(Tessellate, ABorderMuchStraighterThanTheInside) {
+    // Straight borders, a bulge inside.
+    Patch patch;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            const bool inside = i > 0 && i < 3 && j > 0 && j < 3;
+            patch.control.emplace_back(j, inside ? 8 : 0, i);
+        }
+    }
+    for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
+        const auto mesh = tessellate(patch, tolerance);
+        ASSERT_TRUE(mesh);
+        EXPECT_LE(measured_distance(patch, *mesh, 4), tolerance);
+        EXPECT_EQ(open_edges({&*mesh}), 4u);
+    }
+}
+
+/// An eighth of a ball, near enough: one border is a pole.
+Patch eighth() {
+    const double k = 0.5522847498;
+    Patch patch;
+    const std::array<Vec2d, 4> arc{Vec2d{0, 1}, {k, 1}, {1, k}, {1, 0}};  // (radius, height)
+    for (const Vec2d& a : arc) {
+        for (const Vec2d& t : {Vec2d{1, 0}, {1, k}, {k, 1}, {0, 1}}) {
+            patch.control.emplace_back(a.x * t.x, a.y, a.x * t.y);
+        }
+    }
+    return patch;
+}
+
+TEST(Tessellate, APoleHasItsNormalAndNoEmptyTriangles) {
+    const Patch patch = eighth();
+    const auto mesh = tessellate(patch, 1e-3);
+    ASSERT_TRUE(mesh);
+    int poles = 0;
+    for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
+        EXPECT_NEAR(length(mesh->normals[i]), 1, 1e-12);
+        EXPECT_GT(std::abs(dot(mesh->normals[i], mesh->vertices[i])), 0.999);
+        poles += mesh->vertices[i] == Vec3d(0, 1, 0);
+    }
+    EXPECT_GT(poles, 0);
+    for (const auto& f : mesh->faces) {
+        const Vec3d& a = mesh->vertices[f[0]];
+        EXPECT_GT(length(cross(mesh->vertices[f[1]] - a, mesh->vertices[f[2]] - a)), 0);
+    }
+    EXPECT_LE(measured_distance(patch, *mesh, 5), 1e-3);
+}
+
+TEST(Tessellate, NormalsAreFiniteWhateverControlPointsCoincide) {
+    std::mt19937 generator(8);
+    std::uniform_int_distribution<int> which(0, 15);
+    for (int round = 0; round < 300; ++round) {
+        Patch patch = random_patch(static_cast<unsigned>(round), 1, 1);
+        for (int k = 0; k < round % 12; ++k) {
+            patch.control[static_cast<std::size_t>(which(generator))] =
+                patch.control[static_cast<std::size_t>(which(generator))];
+        }
+        const auto mesh = tessellate(patch, 0.05);
+        ASSERT_TRUE(mesh);
+        for (const Vec3d& n : mesh->normals) {
+            ASSERT_TRUE(is_finite(n));
+            EXPECT_NEAR(length(n), 1, 1e-9) << round;
+        }
+    }
+}
+
+TEST(Tessellate, AFlatPatchIsTwoTrianglesAndAPointIsNothing) {
+    Patch patch;
+    for (int i = 0; i < 16; ++i) patch.control.emplace_back(i % 4, 0, i / 4);
+    EXPECT_EQ(tessellate(patch, 1e-9)->faces.size(), 2u);
+    patch.control.assign(16, Vec3d(1, 2, 3));
+    EXPECT_TRUE(tessellate(patch, 1e-9)->faces.empty());
+}
+
+TEST(Tessellate, TooManyTrianglesAreRefusedBeforeTheyAreMade) {
+    EXPECT_FALSE(tessellate(random_patch(1, 1, 1), 1e-12));
+    EXPECT_FALSE(tessellate(random_patch(1, 1, 1), 1e-300));
+}
+
+}  // namespace
+}  // namespace lancer::splines

@@ -1,0 +1,195 @@
+// A ray and the true surface of a plane outline (x, z) drawn up along y.
+//
+// Seen from above the ray is a line, and its signed distance from the outline is a polynomial of
+// the outline's own degree. The crossings with the endless cylinder over the outline come in pairs;
+// the solid is what of these intervals lies between the two caps, so that cap and side meet without
+// a gap.
+#pragma once
+
+#include <boost/container/small_vector.hpp>
+#include <limits>
+
+#include "tracer/splines/curve.h"
+#include "tracer/splines/roots.h"
+
+namespace lancer::splines {
+
+/// An outline (x, z) made ready.
+template <class Real>
+struct Extrusion {
+    Curve<Real> curve;
+    Real bottom = 0;  ///< in the curve's scale
+    Real top = 1;
+    bool capped = true;
+    Real outward = 1;  ///< sign that turns (z', -x') outwards
+
+    std::uint32_t bottom_face() const { return curve.segments(); }
+    std::uint32_t top_face() const { return curve.segments() + 1; }
+};
+
+template <class Real>
+Extrusion<Real> make_extrusion(const PlaneCurve& outline, double bottom, double top, bool capped) {
+    Extrusion<Real> surface;
+    surface.curve = make_curve<Real>(outline, std::max(std::abs(bottom), std::abs(top)));
+    surface.bottom = static_cast<Real>(std::ldexp(bottom, -surface.curve.exponent));
+    surface.top = static_cast<Real>(std::ldexp(top, -surface.curve.exponent));
+    surface.capped = capped;
+    if (signed_area(surface.curve) < 0) surface.outward = -1;
+    return surface;
+}
+
+/// A crossing with a side (segment < segments()) or a cap.
+template <class Real>
+using ExtrusionCrossings = boost::container::small_vector<CurveCrossing<Real>, 8>;
+
+/// Calls found(segment, root) wherever the outline passes through the line through (x, z) with the
+/// direction (dx, dz), seen from above.
+template <class Real, class Found>
+void outline_roots(const Curve<Real>& curve, Real x, Real z, Real dx, Real dz, Found&& found) {
+    const auto beside = [&](const Vec2<Real>& p) { return dx * (p.y - z) - dz * (p.x - x); };
+    for (std::uint32_t i = 0; i < curve.segments(); ++i) {
+        const Vec2<Real>* p = curve.segment(i);
+        const auto report = [&](const Root<Real>& root) { found(i, root); };
+        if (curve.degree == 1) {
+            sign_change_roots<Real>(Polynomial<Real, 1>{{beside(p[0]), beside(p[1])}}, report);
+        } else {
+            sign_change_roots<Real>(
+                Polynomial<Real, 3>{{beside(p[0]), beside(p[1]), beside(p[2]), beside(p[3])}},
+                report);
+        }
+    }
+}
+
+/// Whether (x, z) is inside the outline: how often a line in one direction leaves it.
+template <class Real>
+bool outline_contains(const Curve<Real>& curve, Real x, Real z) {
+    bool inside = false;
+    outline_roots(curve, x, z, Real(1), Real(0), [&](std::uint32_t i, const Root<Real>& root) {
+        if (sample(curve, i, root.s).point.x > x) inside = !inside;
+    });
+    return inside;
+}
+
+/// All crossings of a line with the surface, in order along it. `origin` and `dir` are in the
+/// shape's own space.
+template <class Real>
+ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Real>& origin_,
+                                   const Vec3<Real>& dir_, Real origin_error,
+                                   const KnownStart& start = {}) {
+    using std::abs;
+    using std::sqrt;
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    const Curve<Real>& curve = surface.curve;
+    const int unit = direction_exponent(dir_);
+    Vec3<Real> origin = scaled(origin_, -curve.exponent);
+    const Vec3<Real> dir = scaled(dir_, -unit);
+
+    Real slide = 0;
+    const Vec3<Real> center((curve.min.x + curve.max.x) / 2, (surface.bottom + surface.top) / 2,
+                            (curve.min.y + curve.max.y) / 2);
+    const Vec3<Real> away = origin - center;
+    const Real far = reach(away);
+    if (far > 4) {
+        slide = -dot(away, dir) / dot(dir, dir);
+        origin += slide * dir;
+    }
+    const Real place = std::ldexp(origin_error, -curve.exponent) +
+                       gamma<Real>(4) * (reach(scaled(origin_, -curve.exponent)) + far + 8);
+    const Real speed = sqrt(dot(dir, dir));
+    const Real horizontal = sqrt(dir.x * dir.x + dir.z * dir.z);
+
+    // The endless cylinder over the outline.
+    ExtrusionCrossings<Real> sides;
+    bool inside_always = false;
+    if (horizontal > 0) {
+        const Real hx = dir.x / horizontal;
+        const Real hz = dir.z / horizontal;
+        const Real widest = sqrt(place * 4 + place * place) / speed;
+        outline_roots(
+            curve, origin.x, origin.z, hx, hz, [&](std::uint32_t i, const Root<Real>& root) {
+                const CurveSample<Real> at = sample(curve, i, root.s);
+                const Real way = hx * (at.point.x - origin.x) + hz * (at.point.y - origin.z);
+                const Vec2<Real> tangent = direction(curve, i, root.s);
+                const Real normal = sqrt(tangent.x * tangent.x + tangent.y * tangent.y);
+                const Real approach =
+                    normal > 0 ? horizontal * abs(hx * tangent.y - hz * tangent.x) / normal
+                               : Real(0);
+                CurveCrossing<Real> hit{way / horizontal + slide, 0, i, root.s, false};
+                hit.error = approach * widest > place ? place / approach : widest;
+                hit.error += gamma<Real>(4) * (abs(hit.t) + abs(slide));
+                sides.push_back(hit);
+            });
+        std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) {
+            if (x.t != y.t) return x.t < y.t;
+            return x.segment != y.segment ? x.segment < y.segment : x.s < y.s;
+        });
+        for (std::size_t i = 0; i < sides.size(); ++i) sides[i].entering = i % 2 == 0;
+    } else {
+        inside_always = outline_contains(curve, origin.x, origin.z);
+        if (!inside_always) return {};
+    }
+    std::size_t start_side = sides.size();
+    if (start.face < curve.segments()) {
+        start_side = start_crossing(sides, surface.capped, start.inside);
+        if (start_side < sides.size()) sides[start_side].t = 0;
+    }
+
+    // The slab between the caps.
+    CurveCrossing<Real> slab_in{-infinity, 0, surface.bottom_face(), 0, true};
+    CurveCrossing<Real> slab_out{infinity, 0, surface.top_face(), 0, false};
+    if (dir.y == 0) {
+        if (origin.y < surface.bottom || origin.y > surface.top) return {};
+    } else {
+        const auto cap = [&](Real height, std::uint32_t face, bool entering) {
+            CurveCrossing<Real> c{(height - origin.y) / dir.y + slide, 0, face, 0, entering};
+            if (start.face == face) c.t = 0;
+            c.error = place / abs(dir.y) + gamma<Real>(4) * (abs(c.t) + abs(slide));
+            return c;
+        };
+        const bool up = dir.y > 0;
+        slab_in = up ? cap(surface.bottom, surface.bottom_face(), true)
+                     : cap(surface.top, surface.top_face(), true);
+        slab_out = up ? cap(surface.top, surface.top_face(), false)
+                      : cap(surface.bottom, surface.bottom_face(), false);
+    }
+
+    ExtrusionCrossings<Real> found;
+    const auto report = [&](CurveCrossing<Real> c) {
+        if (start.face == c.segment && c.t == 0) return;
+        c.t = std::ldexp(c.t, curve.exponent - unit);
+        c.error = std::ldexp(c.error, curve.exponent - unit);
+        found.push_back(c);
+    };
+    if (!surface.capped) {
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            if (i != start_side && sides[i].t >= slab_in.t && sides[i].t <= slab_out.t) {
+                report(sides[i]);
+            }
+        }
+        return found;
+    }
+    if (inside_always) {
+        report(slab_in);
+        report(slab_out);
+        return found;
+    }
+    for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+        const bool begins_at_start = i == start_side;
+        const bool ends_at_start = i + 1 == start_side;
+        const CurveCrossing<Real>& in = slab_in.t > sides[i].t ? slab_in : sides[i];
+        const CurveCrossing<Real>& out = slab_out.t < sides[i + 1].t ? slab_out : sides[i + 1];
+        if (!(in.t <= out.t)) continue;
+        if (!(begins_at_start && &in == &sides[i])) report(in);
+        if (!(ends_at_start && &out == &sides[i + 1])) report(out);
+    }
+    return found;
+}
+
+/// Whether a point is inside of the capped solid.
+template <class Real>
+bool contains(const Extrusion<Real>& surface, const Vec3<Real>& point) {
+    const Vec3<Real> p = scaled(point, -surface.curve.exponent);
+    return p.y > surface.bottom && p.y < surface.top && outline_contains(surface.curve, p.x, p.z);
+}
+
+}  // namespace lancer::splines
