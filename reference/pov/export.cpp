@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "reference/pov/differences.h"
 #include "reference/pov/window.h"
 #include "reference/pov/writer.h"
 
@@ -37,6 +38,8 @@ std::string rule_name(KnownDifference::Rule rule) {
             return "depth-limit";
         case KnownDifference::Rule::small_features:
             return "small-features";
+        case KnownDifference::Rule::far_away:
+            return "far-away";
         case KnownDifference::Rule::coincident_surfaces:
             return "coincident-surfaces";
         case KnownDifference::Rule::light_from_behind:
@@ -62,6 +65,7 @@ ExportResult export_pov(const Scene& scene, const ExportView& view, const Export
     writer.text.blank();
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) write_object(writer, i);
 
+    result.known_differences = pov::known_differences(scene, window);
     if (result.refusals.empty())
         result.text = writer.text.take();
     else

@@ -41,6 +41,7 @@ struct KnownDifference {
         contribution,         ///< adc_bailout asks for the grey value of what passes as well
         depth_limit,          ///< max_trace_level: at most 256, and at 1 nothing passes through
         small_features,       ///< hits nearer than 1e-4, shadows nearer than 1e-3 are dropped
+        far_away,             ///< nothing is seen beyond 1e7
         coincident_surfaces,  ///< faces in one place: one of them is found, by no rule
         light_from_behind,    ///< a shadow ray on the far side starts with the viewer's media
     };

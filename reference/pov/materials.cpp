@@ -108,15 +108,15 @@ void write_texture(Writer& writer, const Object& object, PowerOfTen own) {
 }
 
 void write_interior(Writer& writer, const Material& material, bool body) {
-    const bool passes = lets_light_pass(writer.scene, material);
-    if (!body) {
-        if (passes) writer.text.line("interior { ior 1 }");
+    if (!lets_light_pass(writer.scene, material)) {
+        // Nothing gets in: the index serves the mirror alone.
+        if (material.fresnel && material.ior != 1)
+            writer.text.line("interior { ior " + number(material.ior) + " }");
         return;
     }
     const double most = max_component(material.absorption);
-    if (most <= 0 && material.ior == 1) return;
-    if (most <= 0) {
-        writer.text.line("interior { ior " + number(material.ior) + " }");
+    if (!body || most <= 0) {
+        writer.text.line("interior { ior " + number(body ? material.ior : 1) + " }");
         return;
     }
     // Beer-Lambert: exp(-(1 - fade_color) s / fade_distance) per channel, for fade_power >= 1000.

@@ -20,8 +20,8 @@ const Texture* texture_of(const Scene& scene, const Material& material);
 /// own.
 void write_texture(Writer& writer, const Object& object, PowerOfTen own);
 
-/// `interior { … }`, where refraction, Fresnel's reflectance or absorption ask for one. A sheet has
-/// no inside: POV-Ray would never find the way out of it, so its ior is 1.
+/// `interior { … }` for what lets light pass, or mirrors by Fresnel's equations. A sheet that light
+/// passes has no inside: POV-Ray would never find the way out of it, so its ior is 1.
 void write_interior(Writer& writer, const Material& material, bool body);
 
 }  // namespace lancer::reference::pov

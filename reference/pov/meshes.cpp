@@ -12,20 +12,24 @@ namespace lancer::reference::pov {
 
 namespace {
 
-/// Normals for corners that have none: the mean of the faces round the vertex, weighted by area.
+/// Twice the area long, at right angles to the face.
+Vec3d face_normal(const Mesh& mesh, const Mesh::Corners& face) {
+    const Vec3d& a = mesh.vertices[face[0]];
+    return cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
+}
+
+/// For a mesh that gives no normals: the mean of the faces round each vertex, weighted by area.
 std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
     std::vector<Vec3d> sum(mesh.vertices.size(), Vec3d(0.0));
-    for (const Mesh::Corners& face : mesh.faces) {
-        const Vec3d& a = mesh.vertices[face[0]];
-        const Vec3d twice_area = cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
-        for (const std::uint32_t corner : face) sum[corner] += twice_area;
-    }
+    for (const Mesh::Corners& face : mesh.faces)
+        for (const std::uint32_t corner : face) sum[corner] += face_normal(mesh, face);
     return sum;
 }
 
 /// A mesh2 in the making: lists of lines, each with its count.
 struct Mesh2 {
     std::vector<std::string> vertices, normals, uvs, faces, normal_indices, uv_indices;
+    Vec3d shift{0, 0, 0};  ///< to be added to the vertices
 
     static std::string corners(const Mesh::Corners& c) {
         return fmt::format("<{},{},{}>", c[0], c[1], c[2]);
@@ -49,27 +53,27 @@ struct Mesh2 {
         list(text, "face_indices", faces);
         list(text, "uv_indices", uv_indices);
         list(text, "normal_indices", normal_indices);
+        if (shift != Vec3d(0.0)) text.line("translate " + vector(shift));
     }
 };
 
-/// Corners that say `none` get an index of their own, appended behind the given list.
+/// A face that lacks a normal at a corner is flat: it gets one of its own, behind the given list.
 void add_normals(Mesh2& out, const Mesh& mesh) {
-    for (const Vec3d& n : mesh.normals) out.normals.push_back(mesh_vector(normalize(n)));
-    const std::vector<Vec3d> means = vertex_normals(mesh);
-    std::vector<std::uint32_t> mean_index(mesh.vertices.size(), none);
+    const std::vector<Vec3d> normals = mesh.normals.empty() ? vertex_normals(mesh) : mesh.normals;
+    const std::vector<Mesh::Corners>& indices =
+        mesh.normals.empty() || mesh.normal_faces.empty() ? mesh.faces : mesh.normal_faces;
+    const auto has_length = [](const Vec3d& n) { return length(n) > 0; };
+    for (const Vec3d& n : normals)
+        out.normals.push_back(mesh_vector(has_length(n) ? normalize(n) : Vec3d(0, 1, 0)));
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        Mesh::Corners corners = mesh.normals.empty()        ? Mesh::Corners{none, none, none}
-                                : mesh.normal_faces.empty() ? mesh.faces[f]
-                                                            : mesh.normal_faces[f];
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (corners[i] != none) continue;
-            const std::uint32_t vertex = mesh.faces[f][i];
-            if (mean_index[vertex] == none) {
-                mean_index[vertex] = static_cast<std::uint32_t>(out.normals.size());
-                const Vec3d& n = means[vertex];
-                out.normals.push_back(mesh_vector(length(n) > 0 ? normalize(n) : Vec3d(0, 1, 0)));
-            }
-            corners[i] = mean_index[vertex];
+        Mesh::Corners corners = indices[f];
+        const bool complete = std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) {
+            return c != none && has_length(normals[c]);
+        });
+        if (!complete) {
+            corners.fill(static_cast<std::uint32_t>(out.normals.size()));
+            const Vec3d n = face_normal(mesh, mesh.faces[f]);
+            out.normals.push_back(mesh_vector(has_length(n) ? normalize(n) : Vec3d(0, 1, 0)));
         }
         out.normal_indices.push_back(Mesh2::corners(corners));
     }
@@ -88,18 +92,30 @@ void add_uvs(Mesh2& out, const Mesh& mesh) {
     }
 }
 
+/// Where a mesh stands, in steps of about its size, so that subtracting it loses nothing: single
+/// precision is then spent on the mesh alone, and a `translate` of double precision on its place.
+Vec3d coarse_place(const Mesh& mesh, PowerOfTen own) {
+    Bounds bounds;
+    for (const Vec3d& p : mesh.vertices) bounds.add(own(p));
+    const double size = bounds.diagonal();
+    if (!(size > 0)) return Vec3d(0.0);
+    const double step = std::ldexp(1.0, std::ilogb(size) + 1);
+    const Vec3d steps = (bounds.low + bounds.high) / (2 * step);
+    return Vec3d(std::round(steps.x), std::round(steps.y), std::round(steps.z)) * step;
+}
+
 Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
     Mesh2 out;
-    for (const Vec3d& p : mesh.vertices) out.vertices.push_back(mesh_vector(own(p)));
+    out.shift = coarse_place(mesh, own);
+    for (const Vec3d& p : mesh.vertices) out.vertices.push_back(mesh_vector(own(p) - out.shift));
     for (const Mesh::Corners& face : mesh.faces) out.faces.push_back(Mesh2::corners(face));
     if (smooth) add_normals(out, mesh);
     if (!mesh.uvs.empty()) add_uvs(out, mesh);
     return out;
 }
 
-int mesh_key(const MeshRef& shape, bool smooth, PowerOfTen own) {
-    (void)shape;
-    return own.exponent * 2 + (smooth ? 1 : 0);
+std::pair<std::uint32_t, int> mesh_key(const MeshRef& shape, bool smooth, PowerOfTen own) {
+    return {shape.mesh, own.exponent * 2 + (smooth ? 1 : 0)};
 }
 
 }  // namespace
@@ -109,7 +125,7 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     if (!shape) return;
     const Mesh& mesh = *writer.scene.meshes[shape->mesh];
     const bool smooth = shape->smooth && writer.scene.settings.smooth;
-    const std::pair key{shape->mesh, mesh_key(*shape, smooth, own)};
+    const std::pair key = mesh_key(*shape, smooth, own);
     if (mesh.faces.empty() || writer.mesh_names.contains(key)) return;
     const std::string name = fmt::format("Mesh{}", writer.mesh_names.size());
     writer.text.open(fmt::format("#declare {} = mesh2 {{  // {} vertices, {} faces", name,
@@ -123,7 +139,7 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
 
 bool open_mesh(Writer& writer, const Object&, const MeshRef& shape, PowerOfTen own) {
     const bool smooth = shape.smooth && writer.scene.settings.smooth;
-    const auto name = writer.mesh_names.find({shape.mesh, mesh_key(shape, smooth, own)});
+    const auto name = writer.mesh_names.find(mesh_key(shape, smooth, own));
     if (name == writer.mesh_names.end()) return false;  // a mesh without faces shows nothing
     writer.text.open("object { " + name->second);
     return true;

@@ -63,7 +63,7 @@ void write_camera(Writer& writer) {
     double height = 0;
     if (const auto* perspective = std::get_if<PerspectiveProjection>(&camera.projection)) {
         text.line("perspective  // vertical angle " + number(perspective->fov));
-        height = 2 * elementary::tan(radians(perspective->fov) / 2);
+        height = 2 * elementary::tan(radians(perspective->fov / 2));
     } else {
         text.line("orthographic");
         height = writer.window(std::get<OrthographicProjection>(camera.projection).height);

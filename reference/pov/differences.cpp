@@ -1,0 +1,166 @@
+#include "reference/pov/differences.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "model/bodies.h"
+#include "reference/pov/coincidence.h"
+#include "reference/pov/materials.h"
+
+namespace lancer::reference::pov {
+
+namespace {
+
+using Rule = KnownDifference::Rule;
+
+/// What the rules ask of an object.
+struct Traits {
+    Bounds bounds;  ///< in the picture's units; empty for a plane
+    const Material* material = nullptr;
+    bool plane = false;
+    bool body = false;
+    bool passes = false;   ///< light
+    bool absorbs = false;  ///< a body in which light fades
+};
+
+bool meet(const Traits& a, const Traits& b) {
+    return a.plane || b.plane || a.bounds.overlaps(b.bounds);
+}
+
+class Search {
+  public:
+    Search(const Scene& scene, PowerOfTen window) : scene_(scene), window_(window) {
+        for (const Object& object : scene.objects) objects_.push_back(traits_of(object));
+    }
+
+    std::vector<KnownDifference> run() {
+        find_absorption();
+        find_sheets();
+        find_recursion();
+        find_sizes();
+        add(Rule::coincident_surfaces,
+            "where surfaces coincide POV-Ray finds one of them by no rule; Lancer resolves them "
+            "together",
+            coincident_objects(scene_));
+        return std::move(found_);
+    }
+
+  private:
+    Traits traits_of(const Object& object) const {
+        Traits t;
+        t.material = &scene_.materials[object.material];
+        t.plane = std::holds_alternative<Plane>(object.shape);
+        t.body = is_body(scene_, object.shape);
+        t.passes = lets_light_pass(scene_, *t.material);
+        t.absorbs = t.body && t.passes && max_component(t.material->absorption) > 0;
+        if (const auto own = shape_bounds(scene_, object.shape)) {
+            t.bounds = moved(scene_.transforms[object.transform], *own);
+            t.bounds.low = window_(t.bounds.low);
+            t.bounds.high = window_(t.bounds.high);
+        }
+        return t;
+    }
+
+    void add(Rule rule, const std::string& explanation, std::vector<std::uint32_t> objects) {
+        if (!objects.empty()) found_.push_back({rule, explanation, std::move(objects)});
+    }
+    template <class Test>
+    std::vector<std::uint32_t> all(const Test& test) const {
+        std::vector<std::uint32_t> out;
+        for (std::uint32_t i = 0; i < objects_.size(); ++i)
+            if (test(objects_[i])) out.push_back(i);
+        return out;
+    }
+    /// True without looking where there are too many pairs to look at.
+    bool meets_another(const Traits& t, const auto& other) const {
+        if (objects_.size() > 20000) return true;
+        return std::any_of(objects_.begin(), objects_.end(),
+                           [&](const Traits& o) { return &o != &t && other(o) && meet(t, o); });
+    }
+
+    void find_absorption() {
+        add(Rule::absorption_inside,
+            "POV-Ray dims by absorption what passes through the far surface of a body, not what "
+            "that surface itself shows or mirrors to the inside",
+            all([](const Traits& t) {
+                const Material& m = *t.material;
+                const bool clear = m.filter + m.transmission >= 1 && m.texture == none;
+                return t.absorbs &&
+                       !(clear && m.reflection == Color(0, 0, 0) && m.phong == 0 && m.blinn == 0);
+            }));
+        add(Rule::absorption_nested,
+            "POV-Ray leaves out the absorption of a stretch that ends on another object",
+            all([this](const Traits& t) {
+                return t.absorbs && meets_another(t, [](const Traits&) { return true; });
+            }));
+        const bool fading = std::any_of(objects_.begin(), objects_.end(),
+                                        [](const Traits& t) { return t.absorbs; });
+        add(Rule::light_from_behind,
+            "a shadow ray to a light behind the surface starts in the viewer's medium in POV-Ray, "
+            "in the one behind the surface in Lancer",
+            all([&](const Traits& t) {
+                return fading && t.body && t.passes && t.material->diffuse_transmission > 0;
+            }));
+    }
+
+    void find_sheets() {
+        const auto bends = [](const Traits& t) {
+            return t.body && t.passes && t.material->ior != 1;
+        };
+        add(Rule::sheet_in_medium,
+            "POV-Ray bends light at a transparent sheet inside a body, because the sheet's ior is "
+            "1",
+            all([&](const Traits& t) { return !t.body && t.passes && meets_another(t, bends); }));
+    }
+
+    void find_recursion() {
+        const Settings& settings = scene_.settings;
+        const auto passing = all([](const Traits& t) { return t.passes; });
+        auto branching = all(
+            [](const Traits& t) { return t.passes || t.material->reflection != Color(0, 0, 0); });
+        if (settings.max_depth > 256)
+            add(Rule::depth_limit, "POV-Ray follows no ray deeper than 256 levels", branching);
+        if (settings.max_depth == 1)
+            add(Rule::depth_limit,
+                "with one level POV-Ray shows nothing through a surface, not even straight through",
+                passing);
+        if (settings.min_contribution > 0)
+            add(Rule::contribution,
+                "POV-Ray's adc_bailout also drops what passes a surface by the grey value of its "
+                "transmission; set min_contribution 0 to compare",
+                std::move(branching));
+    }
+
+    void find_sizes() {
+        add(Rule::small_features,
+            "POV-Ray ignores hits nearer than 1e-4 and shadows nearer than 1e-3 of its units, and "
+            "this body is hardly thicker",
+            all([](const Traits& t) {
+                if (!t.body || t.plane || t.bounds.empty) return false;
+                const Vec3d d = t.bounds.high - t.bounds.low;
+                return std::min({d.x, d.y, d.z}) < 5e-3;
+            }));
+        add(Rule::far_away, "POV-Ray sees nothing beyond 1e7 of its units",
+            all([](const Traits& t) {
+                return !t.bounds.empty && max_component(max_abs(t.bounds)) > 1e7;
+            }));
+    }
+    static Vec3d max_abs(const Bounds& b) {
+        return {std::max(std::abs(b.low.x), std::abs(b.high.x)),
+                std::max(std::abs(b.low.y), std::abs(b.high.y)),
+                std::max(std::abs(b.low.z), std::abs(b.high.z))};
+    }
+
+    const Scene& scene_;
+    PowerOfTen window_;
+    std::vector<Traits> objects_;
+    std::vector<KnownDifference> found_;
+};
+
+}  // namespace
+
+std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen window) {
+    return Search(scene, window).run();
+}
+
+}  // namespace lancer::reference::pov
