@@ -8,8 +8,8 @@
 
 #include "model/diagnostic.h"
 #include "model/io/file.h"
+#include "model/io/image_checks.h"
 #include "model/io/image_module.h"
-#include "model/io/jpeg_end.h"
 #include "model/io/png_file.h"
 #include "model/io/ppm_file.h"
 #include "model/io/quantize.h"
@@ -147,11 +147,11 @@ Image read_image(const std::string& path, ColorSpace space) {
         throw FileError(fmt::format(
             "cannot read '{}': it is not a PNG, EXR, HDR, TIFF, JPEG or PPM picture", path));
     }
-    if (format == "jpeg" && !jpeg_is_complete(bytes)) {
-        throw FileError(fmt::format("cannot read '{}': the file is truncated", path));
-    }
     StoredImage stored;
-    const std::string problem = image_module().read(path, format, stored);
+    std::string problem = format == "jpeg"      ? jpeg_problem(bytes)
+                          : format == "openexr" ? exr_problem(bytes)
+                                                : std::string();
+    if (problem.empty()) problem = image_module().read(path, format, stored);
     if (!problem.empty()) throw FileError(fmt::format("cannot read '{}': {}", path, problem));
     return decoded(std::move(stored), space);
 }

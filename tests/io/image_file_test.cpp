@@ -241,6 +241,23 @@ TEST_P(Damage, IsAnErrorOrAPicture) {
     }
 }
 
+TEST(Exr, TakesNoMemoryForAHugeClaim) {
+    const ScratchFolder folder;
+    write_image(folder / "a.exr", gradient(4, 4, 3), {});
+    const std::string bytes = contents(folder / "a.exr");
+    const auto error_with = [&](std::size_t at, const std::string& number) {
+        std::string damaged = bytes;
+        damaged.replace(at, 4, number);
+        put(folder / "a.exr", damaged);
+        return file_error([&] { read_image(folder / "a.exr"); });
+    };
+    const std::string huge("\xFF\xFF\xFF\x7F", 4);
+    const std::size_t window = bytes.find("dataWindow") + 11 + 6;
+    EXPECT_THAT(error_with(window, huge), HasSubstr("truncated"));  // its length
+    EXPECT_THAT(error_with(window + 4 + 8, huge), HasSubstr("a side is longer"));
+    EXPECT_THAT(error_with(window + 4 + 8, std::string(4, '\xFF')), HasSubstr("no pixels"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, Damage,
                          testing::Values(".png", ".ppm", ".exr", ".tif", ".hdr", ".jpg"),
                          [](const auto& name) { return std::string(name.param).substr(1); });
