@@ -1,0 +1,82 @@
+// What holds for pictures as a whole.
+#include "tracer/render.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/reference/pov/pair_scenes.h"
+
+namespace lancer {
+namespace {
+
+Image render_with(const Scene& scene, int threads, std::optional<Crop> crop, RayCounts& counts) {
+    Settings settings = scene.settings;
+    settings.threads = threads;
+    return compile(scene, settings)->render({0, 61, 47, crop, false}, {}, counts);
+}
+
+TEST(Render, MakesTheSameBytesAndCountsForAnyNumberOfThreads) {
+    const Scene scene = reference::glass_nested_scene();
+    RayCounts counts[3];
+    const Image one = render_with(scene, 1, {}, counts[0]);
+    const Image two = render_with(scene, 2, {}, counts[1]);
+    const Image seven = render_with(scene, 7, {}, counts[2]);
+    EXPECT_EQ(one.data, two.data);
+    EXPECT_EQ(one.data, seven.data);
+    EXPECT_EQ(counts[0].primary, 61u * 47u);
+    EXPECT_EQ(counts[0].shadow, counts[2].shadow);
+    EXPECT_EQ(counts[0].transmitted, counts[2].transmitted);
+    EXPECT_GT(counts[0].transmitted, 0u);
+    EXPECT_EQ(counts[0].media_lost, 0u);
+}
+
+TEST(Render, ACropIsThatPartOfThePicture) {
+    const Scene scene = reference::solids_scene();
+    RayCounts counts;
+    const Image whole = render_with(scene, 1, {}, counts);
+    const Image part = render_with(scene, 1, Crop{13, 9, 30, 21}, counts);
+    ASSERT_EQ(part.width, 30);
+    ASSERT_EQ(part.height, 21);
+    for (int y = 0; y < 21; ++y) {
+        for (int x = 0; x < 30; ++x) {
+            for (int c = 0; c < 3; ++c)
+                EXPECT_EQ(part.pixel(x, y)[c], whole.pixel(x + 13, y + 9)[c]);
+        }
+    }
+}
+
+TEST(Render, AProbeAtAPixelsCentreIsThePixel) {
+    const Scene scene = reference::solids_scene();
+    const auto renderer = compile(scene, scene.settings);
+    RayCounts counts;
+    const View view{0, 61, 47, {}, false};
+    const Image whole = renderer->render(view, {}, counts);
+    for (const auto& [x, y] : {std::pair{5, 40}, {30, 20}, {44, 31}}) {
+        const Probe probe = renderer->probe(view, x + 0.5, y + 0.5);
+        EXPECT_EQ(probe.color.x, whole.pixel(x, y)[0]);
+        EXPECT_EQ(probe.color.y, whole.pixel(x, y)[1]);
+    }
+    EXPECT_EQ(renderer->probe(view, 1.5, 1.5).object, 0u) << "the ground is declared first";
+}
+
+TEST(Render, ThePrecisionsAgreeOffTheEdges) {
+    const Scene scene = reference::solids_scene();
+    RayCounts counts;
+    const View view{0, 61, 47, {}, false};
+    const auto picture = [&](Precision precision) {
+        Settings settings = scene.settings;
+        settings.precision = precision;
+        return compile(scene, settings)->render(view, {}, counts);
+    };
+    const Image single = picture(Precision::single);
+    const Image twofold = picture(Precision::double_);
+    const Image extended = picture(Precision::extended);
+    int single_off = 0;
+    for (std::size_t i = 0; i < twofold.data.size(); ++i) {
+        EXPECT_NEAR(twofold.data[i], extended.data[i], 1e-12);
+        single_off += std::abs(twofold.data[i] - single.data[i]) > 1e-4;
+    }
+    EXPECT_LE(single_off, 6) << "only where an edge runs through a pixel's centre";
+}
+
+}  // namespace
+}  // namespace lancer
