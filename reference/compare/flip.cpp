@@ -95,29 +95,44 @@ Kernel sampled(int radius, const std::function<double(double)>& weight) {
     return kernel;
 }
 
-/// Correlates rows with `along_x` and columns with `along_y`; beyond the border the nearest pixel
-/// counts.
-Plane filter(const Plane& in, const Kernel& along_x, const Kernel& along_y) {
-    const auto pass = [](const Plane& from, const Kernel& kernel, bool horizontal) {
-        Plane to{from.width, from.height, std::vector<double>(from.data.size())};
-        const int radius = static_cast<int>(kernel.size() / 2);
-        const auto width = static_cast<std::size_t>(from.width);
-        for (int y = 0; y < from.height; ++y) {
-            for (int x = 0; x < from.width; ++x) {
-                double sum = 0;
-                for (int i = -radius; i <= radius; ++i) {
-                    const int sx = horizontal ? std::clamp(x + i, 0, from.width - 1) : x;
-                    const int sy = horizontal ? y : std::clamp(y + i, 0, from.height - 1);
-                    sum += kernel[static_cast<std::size_t>(i + radius)] *
-                           from.data[static_cast<std::size_t>(sy) * width +
-                                     static_cast<std::size_t>(sx)];
-                }
-                to.data[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] = sum;
-            }
+/// Each row correlated with `kernel`; beyond the border the nearest pixel counts.
+Plane filter_rows(const Plane& in, const Kernel& kernel) {
+    const auto width = static_cast<std::size_t>(in.width);
+    const std::size_t radius = kernel.size() / 2;
+    Plane out{in.width, in.height, std::vector<double>(in.data.size())};
+    std::vector<double> padded(width + 2 * radius);
+    for (std::size_t begin = 0; begin < in.data.size(); begin += width) {
+        const double* row = in.data.data() + begin;
+        std::fill_n(padded.begin(), radius, row[0]);
+        std::copy_n(row, width, padded.begin() + static_cast<std::ptrdiff_t>(radius));
+        std::fill_n(padded.end() - static_cast<std::ptrdiff_t>(radius), radius, row[width - 1]);
+        double* result = out.data.data() + begin;
+        for (std::size_t k = 0; k < kernel.size(); ++k) {
+            for (std::size_t x = 0; x < width; ++x) result[x] += kernel[k] * padded[x + k];
         }
-        return to;
-    };
-    return pass(pass(in, along_x, true), along_y, false);
+    }
+    return out;
+}
+
+/// Each column likewise.
+Plane filter_columns(const Plane& in, const Kernel& kernel) {
+    const auto width = static_cast<std::size_t>(in.width);
+    const int radius = static_cast<int>(kernel.size() / 2);
+    Plane out{in.width, in.height, std::vector<double>(in.data.size())};
+    for (int y = 0; y < in.height; ++y) {
+        double* result = out.data.data() + static_cast<std::size_t>(y) * width;
+        for (int k = -radius; k <= radius; ++k) {
+            const double weight = kernel[static_cast<std::size_t>(k + radius)];
+            const auto from = static_cast<std::size_t>(std::clamp(y + k, 0, in.height - 1));
+            const double* row = in.data.data() + from * width;
+            for (std::size_t x = 0; x < width; ++x) result[x] += weight * row[x];
+        }
+    }
+    return out;
+}
+
+Plane filter(const Plane& in, const Kernel& along_x, const Kernel& along_y) {
+    return filter_columns(filter_rows(in, along_x), along_y);
 }
 
 /// Contrast sensitivity of one opponent channel as a sum of Gaussians in the spatial domain,
