@@ -30,6 +30,7 @@ std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
 struct Mesh2 {
     std::vector<std::string> vertices, normals, uvs, faces, normal_indices, uv_indices;
     Vec3d shift{0, 0, 0};  ///< to be added to the vertices
+    bool closed = false;   ///< has an inside
 
     static std::string corners(const Mesh::Corners& c) {
         return fmt::format("<{},{},{}>", c[0], c[1], c[2]);
@@ -53,6 +54,8 @@ struct Mesh2 {
         list(text, "face_indices", faces);
         list(text, "uv_indices", uv_indices);
         list(text, "normal_indices", normal_indices);
+        // Lets POV-Ray tell whether the camera is inside. It must stand before any transform.
+        if (closed) text.line("inside_vector <0.36, 0.48, 0.8>");
         if (shift != Vec3d(0.0)) text.line("translate " + vector(shift));
     }
 };
@@ -130,9 +133,9 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     const std::string name = fmt::format("Mesh{}", writer.mesh_names.size());
     writer.text.open(fmt::format("#declare {} = mesh2 {{  // {} vertices, {} faces", name,
                                  mesh.vertices.size(), mesh.faces.size()));
-    convert(mesh, smooth, own).write(writer.text);
-    // Lets POV-Ray tell whether the camera is inside.
-    if (is_closed(mesh)) writer.text.line("inside_vector <0.36, 0.48, 0.8>");
+    Mesh2 mesh2 = convert(mesh, smooth, own);
+    mesh2.closed = is_closed(mesh);
+    mesh2.write(writer.text);
     writer.text.close();
     writer.mesh_names.emplace(key, name);
 }
