@@ -129,12 +129,7 @@ class Validations {
         for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
             Validation result =
                 reference::validate_scene(jobs_[i], render_ours, povray_, pov_options_);
-            if (!options_.report.empty()) {
-                // Three pictures a scene, a third more as text: 10 MB hold 50 scenes and more.
-                const std::size_t bytes =
-                    std::clamp<std::size_t>(1'900'000 / jobs_.size(), 8'000, 400'000);
-                report_.entries[i] = reference::report_entry(result, bytes);
-            }
+            if (!options_.report.empty()) report_.entries[i] = reference::report_entry(result);
             result.ours = {};
             result.theirs = {};
             const std::lock_guard lock(mutex_);

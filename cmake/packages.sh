@@ -13,7 +13,7 @@ packages_to_test=(
     povray clang-format-14
 )
 packages_to_test_all=(
-    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14 chromium
+    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14 chromium chromium-driver
 )
 
 # install_missing PACKAGE...: asks apt-get for those that are not installed; without any, does nothing

@@ -59,17 +59,17 @@ void add_measures(ReportEntry& entry, const Comparison& c, const CompareOptions&
 }  // namespace
 
 ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
-                       const CompareOptions& options, std::size_t preview_bytes) {
+                       const CompareOptions& options) {
     ReportEntry entry;
     entry.name = name;
     const Comparison comparison = compare_images(a, b, options);
     entry.verdict = comparison.pass ? Verdict::agrees : Verdict::differs;
     if (!comparison.pass) entry.reasons.push_back(comparison.reason);
-    entry.left = preview_of(a, preview_bytes);
-    entry.right = preview_of(b, preview_bytes);
+    entry.left = preview_of(a);
+    entry.right = preview_of(b);
     if (comparison.comparable) {
         entry.differences = pixel_differences(a, b);
-        entry.heat = preview_of(heat_map(entry.differences, a.width, false), preview_bytes);
+        entry.heat = preview_of(heat_map(entry.differences, a.width, false));
         entry.urgency = comparison.over * 1e3 + comparison.max;
         add_measures(entry, comparison, options);
         entry.cells = {
@@ -104,9 +104,6 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
              "its pixels are.",
              options.fail, options.fail_percent)}};
     if (options.fail > 0) result.report.histogram_marks = {options.fail};
-    // Three pictures a pair, a third more as text, and room for the rest: 10 MB hold 50 pairs.
-    const std::size_t preview_bytes =
-        std::clamp<std::size_t>(1'900'000 / names.size(), 8'000, 400'000);
     for (const std::string& name : names) {
         ReportEntry entry;
         if (!names_b.contains(name)) {
@@ -117,7 +114,7 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
             try {
                 const Image left = io::read_image((fs::path(a) / name).string());
                 const Image right = io::read_image((fs::path(b) / name).string());
-                entry = pair_entry(name, left, right, options, preview_bytes);
+                entry = pair_entry(name, left, right, options);
             } catch (const FileError& error) {
                 entry = failed_entry(name, error.what());
                 ++result.unreadable;

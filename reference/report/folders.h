@@ -25,6 +25,6 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
 
 /// The report's entry for one pair of pictures.
 ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
-                       const CompareOptions& options, std::size_t preview_bytes);
+                       const CompareOptions& options);
 
 }  // namespace lancer::reference

@@ -1,5 +1,8 @@
 #include "reference/report/html.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdint>
 
 namespace lancer::reference {
@@ -47,6 +50,14 @@ std::string base64(std::string_view bytes) {
         }
     }
     return out;
+}
+
+std::string shown(double value, int digits) {
+    std::string text = fmt::format("{:.{}g}", value, digits);
+    const std::size_t e = text.find('e');
+    // e-05 -> e-5
+    if (e != std::string::npos && text.size() == e + 4 && text[e + 2] == '0') text.erase(e + 2, 1);
+    return text;
 }
 
 std::string slug(std::string_view text) {

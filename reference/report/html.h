@@ -12,6 +12,9 @@ std::string escaped(std::string_view text);
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
+/// A number for people: `digits` significant ones, exponents without padding (2e-5).
+std::string shown(double value, int digits = 3);
+
 /// Letters, digits, `-`: for ids and class names.
 std::string slug(std::string_view text);
 

@@ -24,18 +24,26 @@ Image halved(const Image& image) {
     return half;
 }
 
+/// Encodes `image`, halved until it fits.
+std::string encoded(Image image, std::size_t most_bytes) {
+    std::string png = io::encode_png(image, {}, "preview");
+    while (png.size() > most_bytes && image.width > 32) {
+        image = halved(image);
+        png = io::encode_png(image, {}, "preview");
+    }
+    return png;
+}
+
 }  // namespace
 
 Preview preview_of(const Image& image, std::size_t most_bytes) {
-    Preview preview{{}, image.width, image.height};
-    if (image.width < 1 || image.height < 1) return preview;
-    Image shown = image;
-    preview.png = io::encode_png(shown, {}, "preview");
-    while (preview.png.size() > most_bytes && shown.width > 32) {
-        shown = halved(shown);
-        preview.png = io::encode_png(shown, {}, "preview");
-    }
-    return preview;
+    if (image.width < 1 || image.height < 1) return {};
+    return {encoded(image, most_bytes), image.width, image.height};
+}
+
+void shrink(Preview& preview, std::size_t most_bytes) {
+    const Image image = io::decode_png(preview.png, "preview", io::ColorSpace::automatic);
+    preview.png = encoded(image, most_bytes);
 }
 
 }  // namespace lancer::reference

@@ -38,7 +38,9 @@ std::string introduction(const Report& report) {
     for (const Verdict verdict : all_verdicts) {
         const std::size_t n = count(report.entries, verdict);
         if (n == 0) continue;
-        html += fmt::format("<li class=\"badge {0}\">{1} {0}</li>", verdict_name(verdict), n);
+        std::string word = verdict_name(verdict);
+        if (n != 1 && word.ends_with('s')) word.pop_back();  // 4 agree, 1 agrees
+        html += fmt::format("<li class=\"badge {}\">{} {}</li>", verdict_name(verdict), n, word);
     }
     html += "</ul>\n";
     if (!report.about.empty()) {
@@ -95,6 +97,24 @@ constexpr const char* keys_help =
 
 }  // namespace
 
+void fit(Report& report, std::size_t most_bytes) {
+    std::vector<Preview*> previews;
+    for (ReportEntry& entry : report.entries) {
+        for (Preview* p : {&entry.left, &entry.right, &entry.heat}) {
+            if (!p->png.empty()) previews.push_back(p);
+        }
+    }
+    // The limit for which all of them would just fit, were those above it exactly as large.
+    std::sort(previews.begin(), previews.end(),
+              [](const Preview* a, const Preview* b) { return a->png.size() < b->png.size(); });
+    std::size_t left = most_bytes / 4 * 3;  // base64 makes four characters of three bytes
+    for (std::size_t i = 0; i < previews.size(); ++i) {
+        const std::size_t limit = left / (previews.size() - i);
+        if (previews[i]->png.size() > limit) shrink(*previews[i], limit);
+        left -= std::min(left, previews[i]->png.size());
+    }
+}
+
 std::string to_html(const Report& report) {
     std::vector<const ReportEntry*> ordered;
     for (const ReportEntry& entry : report.entries) ordered.push_back(&entry);
@@ -115,13 +135,14 @@ std::string to_html(const Report& report) {
     return html;
 }
 
-void write_report(const Report& report, const std::string& folder) {
+void write_report(Report report, const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder)) {
         throw FileError(fmt::format("cannot make the folder '{}': {}", folder,
                                     error ? error.message() : "something else has this name"));
     }
+    fit(report, report_bytes);
     io::write_file((std::filesystem::path(folder) / "index.html").string(), to_html(report));
 }
 

@@ -18,7 +18,10 @@ struct Preview {
 
 /// `image` (linear light, 1, 3 or 4 channels) as a preview of at most `most_bytes`: halved until it
 /// fits.
-Preview preview_of(const Image& image, std::size_t most_bytes = 150'000);
+Preview preview_of(const Image& image, std::size_t most_bytes = 400'000);
+
+/// Halves a preview until it fits; it is never made less than 32 pixels wide.
+void shrink(Preview& preview, std::size_t most_bytes);
 
 /// A number that was achieved, and what it had to be.
 struct Measure {
@@ -83,7 +86,14 @@ struct Report {
 /// The whole page. Entries stand in the order in which they need to be looked at.
 std::string to_html(const Report& report);
 
-/// Writes to_html() to `folder`/index.html, making the folder when it is missing. Throws FileError.
-void write_report(const Report& report, const std::string& folder);
+/// Makes the largest previews coarser until all of them take no more than `most_bytes` of the page.
+void fit(Report& report, std::size_t most_bytes);
+
+/// What the pictures of a written report may take: with its text it stays below 10 MB.
+inline constexpr std::size_t report_bytes = 8'500'000;
+
+/// Writes to_html() to `folder`/index.html, making the folder when it is missing; the previews are
+/// made to fit report_bytes. Throws FileError.
+void write_report(Report report, const std::string& folder);
 
 }  // namespace lancer::reference

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/compare/heat_map.h"
+#include "reference/report/html.h"
 #include "reference/validate/validation_text.h"
 
 namespace lancer::reference {
@@ -20,10 +21,9 @@ void add_measures(ReportEntry& entry, const Validation& v) {
     const auto add = [&](std::string name, std::string achieved, std::string threshold, bool ok) {
         entry.measures.push_back({std::move(name), std::move(achieved), std::move(threshold), ok});
     };
-    add(fmt::format("Pixels over {:g} without an explanation", t.interior),
-        std::to_string(unexplained), fmt::format("≤ {}", t.unexplained),
-        unexplained <= t.unexplained);
-    add(fmt::format("Pixels away from edges within {:g}", t.tight), percent(j.tight_share),
+    add(fmt::format("Unexplained, over {}", shown(t.interior)), std::to_string(unexplained),
+        fmt::format("≤ {}", t.unexplained), unexplained <= t.unexplained);
+    add(fmt::format("Away from edges, within {}", shown(t.tight)), percent(j.tight_share),
         "≥ " + percent(t.tight_share), j.tight_share >= t.tight_share);
     const double edges = static_cast<double>(std::max<std::size_t>(1, j.edge_pixels));
     const auto share_of_edges = [&](std::size_t n) {
@@ -32,30 +32,29 @@ void add_measures(ReportEntry& entry, const Validation& v) {
     const auto within = [&](std::size_t n, double share) {
         return n <= 1 || static_cast<double>(n) <= share * edges;
     };
-    add("Explained by an edge, of the edge pixels", share_of_edges(j.explained),
+    add("Explained, of the edge pixels", share_of_edges(j.explained),
         "≤ " + percent(t.explained_share), within(j.explained, t.explained_share));
-    add(fmt::format("… by one that is off by {:g} pixel", t.rounding), share_of_edges(j.displaced),
+    add(fmt::format("… by an edge off by {} pixel", shown(t.rounding)), share_of_edges(j.displaced),
         "≤ " + percent(t.displaced_share), within(j.displaced, t.displaced_share));
     add("Known differences", std::to_string(j.count(PixelClass::known)),
         fmt::format("≤ {}", t.known), j.count(PixelClass::known) <= t.known);
     if (j.picture_shift.count > 0) {
-        add("Shift of the picture, by registration, pixels",
-            fmt::format("{:.1e} ± {:.0e}", j.picture_shift.length(),
-                        std::max(j.picture_shift.error_x, j.picture_shift.error_y)),
-            fmt::format("≤ {:g}", t.shift), !j.picture_shift.is_significant(t.shift, 5));
+        add("Shift of the picture, pixels",
+            fmt::format("{} ± {}", shown(j.picture_shift.length(), 2),
+                        shown(std::max(j.picture_shift.error_x, j.picture_shift.error_y), 1)),
+            "≤ " + shown(t.shift), !j.picture_shift.is_significant(t.shift, 5));
     }
     if (j.edge_shift.count > 1) {
-        add("Mean offset of the explaining edges, pixels",
-            fmt::format("{:.1e}", j.edge_shift.length()),
-            fmt::format("≤ {:g} or 3 standard errors", t.rounding),
+        add("Mean offset of these edges, pixels", shown(j.edge_shift.length(), 2),
+            fmt::format("≤ {} or 3 σ", shown(t.rounding)),
             !j.edge_shift.is_significant(t.rounding, 3));
     }
     const auto plain = [&](std::string name, double value) {
-        add(std::move(name), fmt::format("{:.3g}", value), "", true);
+        add(std::move(name), shown(value), "", true);
     };
-    plain("Largest difference away from edges", j.interior_max);
-    plain("99.9 % of the pixels away from edges", j.interior_p999);
-    plain("Largest difference anywhere", v.comparison.max);
+    plain("Largest away from edges", j.interior_max);
+    plain("99.9 % away from edges", j.interior_p999);
+    plain("Largest anywhere", v.comparison.max);
     plain("Mean difference", v.comparison.mean);
     plain("RMSE", v.comparison.rmse);
     plain("FLIP", v.comparison.flip);
@@ -115,22 +114,22 @@ void add_notes(ReportEntry& entry, const Validation& v) {
 
 }  // namespace
 
-ReportEntry report_entry(const Validation& v, std::size_t preview_bytes) {
+ReportEntry report_entry(const Validation& v) {
     ReportEntry entry;
     entry.name = v.name;
     entry.verdict = v.verdict;
     entry.reasons = v.reasons;
-    entry.left = preview_of(v.ours, preview_bytes);
-    entry.right = preview_of(v.theirs, preview_bytes);
+    entry.left = preview_of(v.ours);
+    entry.right = preview_of(v.theirs);
     entry.left_seconds = v.our_seconds;
     entry.right_seconds = v.pov_seconds;
     if (v.comparison.comparable) {
         entry.differences = pixel_differences(v.ours, v.theirs);
-        entry.heat = preview_of(heat_map(entry.differences, v.ours.width, false), preview_bytes);
+        entry.heat = preview_of(heat_map(entry.differences, v.ours.width, false));
         add_measures(entry, v);
         add_markers(entry, v);
         const auto seconds = [](double value) { return fmt::format("{:.2f} s", value); };
-        entry.cells = {fmt::format("{:.2g}", v.judgement.interior_max),
+        entry.cells = {shown(v.judgement.interior_max, 2),
                        fmt::format("{:.3f} %", v.judgement.tight_share * 100),
                        std::to_string(v.judgement.explained),
                        std::to_string(v.judgement.count(PixelClass::known)),
@@ -151,7 +150,7 @@ Report validation_report(const PovRay& povray, const std::string& lancer_version
     report.right_name = "POV-Ray";
     const Thresholds defaults;
     report.columns = {"Largest off edges",
-                      fmt::format("Within {:g}", defaults.tight),
+                      "Within " + shown(defaults.tight),
                       "Explained",
                       "Known",
                       "Unexplained",

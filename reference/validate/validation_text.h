@@ -17,8 +17,8 @@ std::string table_row(const Validation& validation, std::size_t name_width);
 /// that were not measured are left out. Ends with a line feed.
 std::string validations_to_json(const std::vector<Validation>& validations, const PovRay& povray);
 
-/// The report's entry, with previews of at most `preview_bytes` each.
-ReportEntry report_entry(const Validation& validation, std::size_t preview_bytes);
+/// The report's entry.
+ReportEntry report_entry(const Validation& validation);
 
 /// The report around the entries.
 Report validation_report(const PovRay& povray, const std::string& lancer_version);

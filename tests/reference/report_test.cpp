@@ -59,6 +59,13 @@ TEST(Html, Base64IsThatOfRfc4648) {
     EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
+TEST(Html, ShowsNumbersWithoutPaddedExponents) {
+    EXPECT_EQ(shown(2e-5), "2e-5");
+    EXPECT_EQ(shown(7.6293e-6, 2), "7.6e-6");
+    EXPECT_EQ(shown(1e-12), "1e-12");
+    EXPECT_EQ(shown(0.25), "0.25");
+}
+
 TEST(Report, PutsWhatNeedsLookingAtFirst) {
     const std::string html = to_html(
         report_of({entry_of("good", Verdict::agrees), entry_of("slight", Verdict::differs, 1),
@@ -95,16 +102,30 @@ TEST(Report, EscapesNamesAndReasons) {
 TEST(Report, HoldsFiftyScenesInTenMegabytes) {
     // Noise is the worst that a picture can be.
     std::vector<ReportEntry> entries;
-    const Preview preview = preview_of(noise(320, 240, 3), 1'900'000 / 50);
+    const Preview worst = preview_of(noise(320, 240, 3));
+    const Preview simple = preview_of(Image(320, 240));
     for (int i = 0; i < 50; ++i) {
         ReportEntry entry = entry_of("scene", Verdict::agrees);
-        entry.left = entry.right = entry.heat = preview;
+        entry.left = simple;
+        entry.right = entry.heat = worst;
         entry.differences.assign(320 * 240, 1e-5);
         entries.push_back(entry);
     }
-    const std::size_t size = to_html(report_of(entries)).size();
+    const TemporaryFolder folder;
+    write_report(report_of(entries), folder.path().string());
+    const auto size = std::filesystem::file_size(folder.path() / "index.html");
     EXPECT_LT(size, 10'000'000u);
-    EXPECT_GT(size, 1'000'000u);
+    EXPECT_GT(size, 3'000'000u);
+}
+
+TEST(Report, KeepsSmallPreviewsWhenLargeOnesMustShrink) {
+    ReportEntry entry = entry_of("scene", Verdict::agrees);
+    entry.left = preview_of(Image(64, 64));
+    entry.right = preview_of(noise(320, 240, 3));
+    Report report = report_of({entry});
+    fit(report, 100'000);
+    EXPECT_EQ(report.entries[0].left.png, entry.left.png);
+    EXPECT_LT(report.entries[0].right.png.size(), 75'000u);
 }
 
 TEST(Report, MarksAMissedThreshold) {
