@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/utf8.h"
+
 namespace lancer {
 namespace {
 
@@ -42,11 +44,13 @@ std::string quote(const SourceSpan& where, const SourceMap& sources) {
         if (!first && !is_continuation_byte(c)) under += '~';
         first = false;
     }
-    std::string shown;
-    for (const char c : line) {
+    std::string shown(line);
+    for (char& c : shown) {
         const bool control = static_cast<unsigned char>(c) < 0x20 && c != '\t';
-        shown += control || c == 0x7F ? '?' : c;  // no escape sequence reaches the terminal
+        if (control || c == 0x7F) c = '?';  // no escape sequence reaches the terminal
     }
+    for (std::size_t bad = 0; (bad = find_invalid_utf8(shown, bad)) != std::string::npos;)
+        shown[bad] = '?';
     return fmt::format("    {}{}{}\n    {}\n", before_cut, shown, after_cut, under);
 }
 

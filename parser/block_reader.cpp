@@ -95,21 +95,30 @@ bool BlockReader::read_property(Evaluator& evaluator, const ast::File& file,
     return false;
 }
 
-void BlockReader::report_unknown(Evaluator& evaluator, const ast::File& file,
+std::string_view BlockReader::report_unknown(Evaluator& evaluator, const ast::File& file,
                                  const ast::Statement& property, const PropertySet& known,
                                  const std::string& title) {
     const std::string_view word = evaluator.text(property.word);
     Diagnostic* error = evaluator.report().error(Message::unknown_property, file.span(property),
                                                  word, with_article(title));
-    if (error == nullptr) return;
     Suggestion suggestion(word);
-    for (const Field* field : known.fields()) suggestion.consider(field->name);
-    error->hint = suggestion.hint();
-    if (!error->hint.empty()) return;
     std::string all;
-    for (const Field* field : known.fields())
+    for (const Field* field : known.fields()) {
+        suggestion.consider(field->name);
         all += (all.empty() ? "" : ", ") + std::string(field->name);
-    error->hint = with_article(title) + " has " + all;
+    }
+    if (error != nullptr)
+        error->hint = suggestion.empty() ? with_article(title) + " has " + all : suggestion.hint();
+    for (const Field* field : known.fields())
+        if (field->name == suggestion.word()) return field->name;
+    return {};
+}
+
+void BlockReader::report_unknown(const ast::Statement& statement) {
+    good_ = false;
+    const std::string_view meant =
+        report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+    if (!meant.empty()) misspelt_.push_back(meant);
 }
 
 void BlockReader::read_statement(const ast::Statement& statement, void* own, void* shared) {
@@ -127,7 +136,7 @@ void BlockReader::read_statement(const ast::Statement& statement, void* own, voi
                 report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
             }
         } else if (statement.kind == Kind::call) {
-            report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+            report_unknown(statement);
         } else if (statement.kind != Kind::broken) {
             report.error(Message::statement_misplaced, file_.span(statement),
                          word_of(statement.kind), with_article(word_.info->title()));
@@ -136,8 +145,7 @@ void BlockReader::read_statement(const ast::Statement& statement, void* own, voi
     }
     const std::uint8_t index = word_.properties.index(statement.word);
     if (index == PropertySet::unknown) {
-        good_ = false;
-        report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+        report_unknown(statement);
         return;
     }
     const Field& field = word_.properties.field(index);
@@ -175,6 +183,8 @@ bool BlockReader::read(void* own, void* shared) {
     const auto& fields = word_.properties.fields();
     for (std::size_t i = 0; i < fields.size() && !block_.damaged; ++i) {
         if (fields[i]->standard != required || given_[i].statement != nullptr) continue;
+        if (std::find(misspelt_.begin(), misspelt_.end(), fields[i]->name) != misspelt_.end())
+            continue;
         good_ = false;
         evaluator_.report().error(Message::property_missing, place(),
                                   with_article(word_.info->title()), fields[i]->name);

@@ -52,7 +52,8 @@ class BlockReader {
     static bool read_property(Evaluator& evaluator, const ast::File& file,
                               const ast::Statement& property, const Field& field, void* owner);
     /// Reports a property that the block does not know, with what is near.
-    static void report_unknown(Evaluator& evaluator, const ast::File& file,
+    /// Returns the property that was probably meant, if there is one.
+    static std::string_view report_unknown(Evaluator& evaluator, const ast::File& file,
                                const ast::Statement& property, const PropertySet& known,
                                const std::string& title);
 
@@ -61,6 +62,7 @@ class BlockReader {
         const ast::Statement* statement = nullptr;
     };
     const ast::Statement* find(std::string_view property) const;
+    void report_unknown(const ast::Statement& statement);
     void read_statement(const ast::Statement& statement, void* own, void* shared);
 
     Evaluator& evaluator_;
@@ -68,6 +70,7 @@ class BlockReader {
     const ast::Statement& block_;
     const BlockWord& word_;
     std::vector<Given> given_;  ///< by index of the property
+    std::vector<std::string_view> misspelt_;  ///< properties that were probably meant
     bool good_ = true;
 };
 

@@ -17,7 +17,7 @@ Builder::Builder(ast::File& file, std::string_view text, Symbols& symbols,
       nesting_limit_(nesting_limit),
       report_(report),
       last_end_(text.data()) {
-    contexts_.push_back({&vocabulary.in_statements(), false, false, nullptr, 0});
+    contexts_.emplace_back().properties = &vocabulary.in_statements();
 }
 
 SourceSpan Builder::span(const char* begin, const char* end) const {
@@ -62,6 +62,18 @@ bool Builder::value_is_left_out(const char* at) {
     const auto next = scan::next_token(text_, offset_of(at) + word.size());
     using Token = scan::Token::Kind;
     return next.kind == Token::number || next.kind == Token::string;
+}
+
+bool Builder::is_next_block(const char* at) {
+    const std::size_t offset = offset_of(at);
+    if (offset >= text_.size() || !scan::is_name_start(text_[offset]) ||
+        !scan::is_first_on_line(text_, offset))
+        return false;
+    auto token = scan::next_token(text_, offset);
+    if (!knows_block(text_.substr(offset, token.end - offset))) return false;
+    token = scan::next_token(text_, token.end);
+    if (token.kind == scan::Token::Kind::name) token = scan::next_token(text_, token.end);
+    return token.kind == scan::Token::Kind::open_brace;
 }
 
 bool Builder::is_outer_statement(const char* at) {
@@ -163,7 +175,7 @@ void Builder::end_body(const char* at, bool closed) {
     contexts_.pop_back();
     if (!closed) {
         context.damaged = true;
-        if (!cut_short_) {
+        if (!cut_short_ && !context.brace_lost) {
             const SourceSpan where = span_of_token(at);
             if (Diagnostic* error =
                     report_.error(Message::missing_close_brace, where, found_at(at))) {

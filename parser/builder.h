@@ -34,6 +34,7 @@ class Builder {
     bool knows_block(std::string_view word);
     bool block_being_opened_knows(const char* at, std::string_view word);
     bool value_is_left_out(const char* at);
+    bool is_next_block(const char* at);
     bool is_outer_statement(const char* at);
     /// Length of the blanks and comments from `at` on.
     std::size_t blank_length(const char* at) const;
@@ -128,6 +129,7 @@ class Builder {
         const PropertySet* properties = nullptr;
         bool properties_only = false;
         bool damaged = false;
+        bool brace_lost = false;  ///< its `}` is in a string without an end
         const char* opener = nullptr;
         std::size_t pending = 0;
     };

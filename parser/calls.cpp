@@ -112,27 +112,32 @@ bool Evaluator::match_arguments(const ast::File& file, const ast::Statement& cal
     return good;
 }
 
+/// Every parameter has a value or a default.
+bool Evaluator::are_complete(const ast::File& home, const ast::Statement& definition,
+                             const SourceSpan& call, const std::vector<Given>& given) {
+    bool complete = true;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const ast::Argument& parameter = home.arguments[definition.arguments.begin + i];
+        if (given[i].is_given || !parameter.value.empty()) continue;
+        complete = false;
+        report_.error(Message::missing_argument, call, text(definition.name),
+                      text(parameter.name));
+    }
+    return complete;
+}
+
 /// In the scope of the call: binds what is given, evaluates the rest, which may use earlier ones.
-bool Evaluator::bind_parameters(const ast::File& home, const ast::Statement& definition,
-                                const SourceSpan& call, std::vector<Given>& given) {
-    bool good = true;
+void Evaluator::bind_parameters(const ast::File& home, const ast::Statement& definition,
+                                std::vector<Given>& given) {
     for (std::size_t i = 0; i < given.size(); ++i) {
         const ast::Argument& parameter = home.arguments[definition.arguments.begin + i];
         Binding binding;
         binding.name = parameter.name;
         binding.place = home.span(parameter);
-        if (given[i].is_given) {
-            binding.value = std::move(given[i].value);
-        } else if (!parameter.value.empty()) {
-            binding.value = evaluate(home, parameter.value);
-        } else {
-            good = false;
-            report_.error(Message::missing_argument, call, text(definition.name),
-                          text(parameter.name));
-        }
+        binding.value =
+            given[i].is_given ? std::move(given[i].value) : evaluate(home, parameter.value);
         scopes_.bind(std::move(binding));
     }
-    return good;
 }
 
 void Evaluator::execute_call(const ast::File& file, const ast::Statement& statement) {
@@ -154,15 +159,11 @@ void Evaluator::execute_call(const ast::File& file, const ast::Statement& statem
     const ast::Statement& definition = *callee->definition;
     std::vector<Given> given;
     if (!match_arguments(file, statement, home, definition, given)) return;
+    if (!are_complete(home, definition, place, given)) return;
     enter_call(place, text(name));
     const Scopes::Caller caller = scopes_.enter(*callee);
     scopes_.open();
-    if (!bind_parameters(home, definition, place, given)) {
-        scopes_.close();
-        scopes_.leave(caller);
-        report_.calls.pop_back();
-        return;
-    }
+    bind_parameters(home, definition, given);
     Frame& frame = push(Frame::Kind::call, home, definition.body);
     frame.caller = caller;
     frame.outer_group = group_;
@@ -176,7 +177,8 @@ std::string Evaluator::resolve_path(const ast::File& file, std::string_view path
     return (std::filesystem::path(script).parent_path() / given).lexically_normal().string();
 }
 
-ast::File* Evaluator::load_script(const std::string& path, const SourceSpan& place) {
+ast::File* Evaluator::load_script(const std::string& path, const SourceSpan& place,
+                                  const SourceSpan& statement) {
     LoadedScript& loaded = program_.scripts[identity(path)];
     if (loaded.file == nullptr && loaded.problem.empty()) {
         try {
@@ -185,8 +187,10 @@ ast::File* Evaluator::load_script(const std::string& path, const SourceSpan& pla
             meter_.source(loaded.bytes, place);
             const std::uint32_t index = add_source(sources_, path, std::move(source));
             loaded.file = std::make_unique<ast::File>();
+            report_.calls.push_back({statement, ""});  // syntax errors come through it
             *loaded.file = read_syntax(index, sources_, program_.symbols, program_.vocabulary,
                                        meter_.limits().nesting, report_);
+            report_.calls.pop_back();
         } catch (const FileError& error) {
             loaded.problem = error.what();
         }
@@ -220,12 +224,9 @@ void Evaluator::execute_include(const ast::File& file, const ast::Statement& sta
         return;
     }
     if (!included_.insert(key).second) return;
+    const ast::File* included = load_script(path, place, file.span(statement));
+    if (included == nullptr) return;
     enter_call(file.span(statement), "");
-    const ast::File* included = load_script(path, place);
-    if (included == nullptr) {
-        report_.calls.pop_back();
-        return;
-    }
     including_.push_back(key);
     push(Frame::Kind::include, *included, included->body);
 }

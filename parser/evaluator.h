@@ -114,10 +114,13 @@ class Evaluator {
     void execute_call(const ast::File& file, const ast::Statement& statement);
     bool match_arguments(const ast::File& file, const ast::Statement& call, const ast::File& home,
                          const ast::Statement& definition, std::vector<Given>& given);
-    bool bind_parameters(const ast::File& home, const ast::Statement& definition,
-                         const SourceSpan& call, std::vector<Given>& given);
+    bool are_complete(const ast::File& home, const ast::Statement& definition,
+                      const SourceSpan& call, const std::vector<Given>& given);
+    void bind_parameters(const ast::File& home, const ast::Statement& definition,
+                         std::vector<Given>& given);
     void execute_include(const ast::File& file, const ast::Statement& statement);
-    ast::File* load_script(const std::string& path, const SourceSpan& place);
+    ast::File* load_script(const std::string& path, const SourceSpan& place,
+                           const SourceSpan& statement);
     void enter_call(const SourceSpan& place, std::string_view name);
 
     // expressions.cpp

@@ -75,9 +75,9 @@ struct BlockInfo {
     std::string_view doc;
     bool holds_statements = false;
 
-    /// "sphere", "light point".
+    /// "sphere", "point light".
     std::string title() const {
-        return kind.empty() ? std::string(keyword) : std::string(keyword) + " " + std::string(kind);
+        return kind.empty() ? std::string(keyword) : std::string(kind) + " " + std::string(keyword);
     }
 };
 

@@ -7,7 +7,7 @@
 #include "model/math.h"
 #include "model/srgb.h"
 #include "parser/random.h"
-#include "parser/utf8.h"
+#include "model/utf8.h"
 
 namespace lancer {
 namespace {

@@ -106,7 +106,7 @@ struct function_call       : p::seq<call_open, ws,
                                                p::star<comma, p::must<function_argument_needed>>,
                                                p::must<close_round_needed>>>> {};
 struct plain_name          : p::success {};
-struct name_or_call        : p::seq<callee, ws, p::sor<nested<function_call, '('>, plain_name>> {};
+struct name_or_call        : p::seq<p::not_at<next_block>, callee, ws, p::sor<nested<function_call, '('>, plain_name>> {};
 
 struct primary : p::sor<number, name_or_call, nested<list, '['>, nested<parenthesised, '('>, string, color,
                         true_word, false_word> {};
@@ -198,7 +198,7 @@ struct block_word        : p::seq<name> {};
 struct block_name        : p::seq<name> {};
 struct block_head        : p::seq<name, ws, p::opt<name, ws>, open_curly> {};
 struct block_braces      : p::seq<open_curly, ws, body> {};
-struct whole_block       : p::seq<p::at<block_head>, block_word, ws, p::opt<block_name, ws>,
+struct whole_block       : p::seq<p::at<block_head>, p::not_at<plain_property>, block_word, ws, p::opt<block_name, ws>,
                                   nested<block_braces>> {};
 struct loose_braces      : p::seq<block_open_or_property, body> {};
 struct headless_block    : p::seq<p::at<known_block>, p::not_at<known_property>, block_word, ws,

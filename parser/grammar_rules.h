@@ -40,6 +40,23 @@ struct known_property : builder_rule<known_property> {
     }
 };
 
+/// A name that the block around knows as a property and that is no block's keyword.
+struct plain_property : builder_rule<plain_property> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        const std::string_view word = builder.word_at(in.current());
+        return !word.empty() && builder.knows_property(word) && !builder.knows_block(word);
+    }
+};
+
+/// A block on a line of its own where an operand should stand: the operand is missing.
+struct next_block : builder_rule<next_block> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        return builder.is_next_block(in.current());
+    }
+};
+
 /// A name that is the keyword of some block.
 struct known_block : builder_rule<known_block> {
     template <class In>
@@ -187,6 +204,10 @@ template <class Name, class Derived>
 struct analyze_traits<Name, lancer::grammar::builder_rule<Derived>> : analyze_opt_traits<> {};
 template <class Name>
 struct analyze_traits<Name, lancer::grammar::known_property> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::plain_property> : analyze_opt_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::next_block> : analyze_opt_traits<> {};
 template <class Name>
 struct analyze_traits<Name, lancer::grammar::known_block> : analyze_any_traits<> {};
 template <class Name>

@@ -38,9 +38,13 @@ void Builder::report_stray(const char* at) {
         report_.error(Message::stray_close_brace, where);
     } else if (*at == '=') {
         Diagnostic* error = report_.error(Message::stray_equals, where);
-        if (error != nullptr && !contexts_.back().properties->knows(building_.back().word))
+        ast::Statement& property = building_.back();
+        if (contexts_.back().properties->knows(property.word)) return;
+        if (error != nullptr)
             error->hint = "to give a value a name, write 'let " +
-                          std::string(symbols_.text(building_.back().word)) + " = ...'";
+                          std::string(symbols_.text(property.word)) + " = ...'";
+        property.kind = Kind::broken;
+        property.name = property.word;
     } else {
         report_.error(Message::stray_separator, where, std::string_view(at, 1));
     }
@@ -83,6 +87,8 @@ void Builder::report(const Mark& mark, const SyntaxError& error) {
             return;
         case Message::string_not_closed:
             report_.error(error.message, span(string_open_, error.at));
+            contexts_[mark.contexts - 1].brace_lost =
+                std::find(string_open_, error.at, '}') != error.at;
             return;
         case Message::unknown_escape:
             report_.error(error.message, span(error.at - 1, error.at + 1));
@@ -166,7 +172,10 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     const PropertySet& known = *contexts_.back().properties;
     const bool statements = !contexts_.back().properties_only;
     const std::size_t start = scan::skip_blanks(text_, offset_of(mark.at));
-    const std::size_t stop = offset_of(error.at);
+    // A reserved word in the place of a name is no statement to go on with.
+    const bool is_word =
+        error.message == Message::expected_name && span_of_token(error.at).length > 1;
+    const std::size_t stop = offset_of(error.at) + (is_word ? 1 : 0);
     std::size_t brackets = 0;
     std::size_t braces = 0;
     Token token = scan::next_token(text_, start);

@@ -14,6 +14,8 @@ class Suggestion {
     void consider(std::string_view candidate);
     /// "did you mean 'radius'?", or empty when nothing is near.
     std::string hint() const;
+    bool empty() const { return best_.empty(); }
+    const std::string& word() const { return best_; }
 
   private:
     std::string_view word_;

@@ -4,7 +4,7 @@
 #include "parser/builder.h"
 #include "parser/grammar.h"
 #include "parser/syntax_messages.h"
-#include "parser/utf8.h"
+#include "model/utf8.h"
 
 namespace lancer {
 namespace {

@@ -1,4 +1,4 @@
-#include "parser/utf8.h"
+#include "model/utf8.h"
 
 #include <algorithm>
 #include <cstdint>
