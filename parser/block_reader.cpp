@@ -96,8 +96,8 @@ bool BlockReader::read_property(Evaluator& evaluator, const ast::File& file,
 }
 
 std::string_view BlockReader::report_unknown(Evaluator& evaluator, const ast::File& file,
-                                 const ast::Statement& property, const PropertySet& known,
-                                 const std::string& title) {
+                                             const ast::Statement& property,
+                                             const PropertySet& known, const std::string& title) {
     const std::string_view word = evaluator.text(property.word);
     Diagnostic* error = evaluator.report().error(Message::unknown_property, file.span(property),
                                                  word, with_article(title));
@@ -160,6 +160,7 @@ void BlockReader::read_statement(const ast::Statement& statement, void* own, voi
     }
     given_[index].statement = &statement;
     void* owner = index < word_.own_fields ? own : shared;
+    if (!evaluates_ && (!block || inline_material)) return;
     if (!block) {
         if (!read_property(evaluator_, file_, statement, field, owner)) good_ = false;
         return;
@@ -172,6 +173,11 @@ void BlockReader::read_statement(const ast::Statement& statement, void* own, voi
     const std::uint32_t material = evaluator_.make_inline_material(file_, statement);
     static_cast<Attributes*>(owner)->material = material;
     if (material == none) good_ = false;
+}
+
+void BlockReader::check() {
+    evaluates_ = false;
+    read(nullptr, nullptr);
 }
 
 bool BlockReader::read(void* own, void* shared) {

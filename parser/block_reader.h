@@ -19,6 +19,9 @@ class BlockReader {
     /// not to be used.
     bool read(void* own, void* shared = nullptr);
 
+    /// Checks all that shows without evaluating: unknown, missing and repeated properties.
+    void check();
+
     /// Whether a property was given, and where its value stands (the block's word, if not given).
     bool has(std::string_view property) const { return find(property) != nullptr; }
     SourceSpan place(std::string_view property) const;
@@ -54,8 +57,8 @@ class BlockReader {
     /// Reports a property that the block does not know, with what is near.
     /// Returns the property that was probably meant, if there is one.
     static std::string_view report_unknown(Evaluator& evaluator, const ast::File& file,
-                               const ast::Statement& property, const PropertySet& known,
-                               const std::string& title);
+                                           const ast::Statement& property, const PropertySet& known,
+                                           const std::string& title);
 
   private:
     struct Given {
@@ -69,9 +72,10 @@ class BlockReader {
     const ast::File& file_;
     const ast::Statement& block_;
     const BlockWord& word_;
-    std::vector<Given> given_;  ///< by index of the property
+    std::vector<Given> given_;                ///< by index of the property
     std::vector<std::string_view> misspelt_;  ///< properties that were probably meant
     bool good_ = true;
+    bool evaluates_ = true;
 };
 
 /// What a block becomes. `result`, for materials and textures, is the index of what was made.

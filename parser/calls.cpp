@@ -120,8 +120,7 @@ bool Evaluator::are_complete(const ast::File& home, const ast::Statement& defini
         const ast::Argument& parameter = home.arguments[definition.arguments.begin + i];
         if (given[i].is_given || !parameter.value.empty()) continue;
         complete = false;
-        report_.error(Message::missing_argument, call, text(definition.name),
-                      text(parameter.name));
+        report_.error(Message::missing_argument, call, text(definition.name), text(parameter.name));
     }
     return complete;
 }

@@ -27,6 +27,8 @@ class Evaluator {
 
     /// Runs the main file. Throws StopReading when a limit was passed.
     void run();
+    /// After run(): finds what is wrong in code that was not executed, as far as it shows without.
+    void check_unreached();
 
     Scene take_scene() { return std::move(builder_.scene); }
     std::vector<std::string> take_printed() { return std::move(printed_); }
@@ -91,6 +93,12 @@ class Evaluator {
         std::uint32_t outer_group = none;  ///< of a call
     };
 
+    // unreached.cpp
+    void mark_executed(const ast::File& file, std::uint32_t statement);
+    void check_unreached(const ast::File& file);
+    void check_names(const ast::File& file, const ast::Expression& expression, bool lone_word);
+    void collect_names(const ast::File& file);
+
     // statements.cpp
     void step();
     void execute(const ast::File& file, const ast::Statement& statement);
@@ -104,6 +112,7 @@ class Evaluator {
     void execute_assertion(const ast::File& file, const ast::Statement& statement);
     void execute_print(const ast::File& file, const ast::Statement& statement);
     void execute_property(const ast::File& file, const ast::Statement& statement);
+    void report_unknown_block(const ast::File& file, const ast::Statement& statement);
     void execute_block(const ast::File& file, const ast::Statement& statement);
     bool declare(Binding binding);
     bool condition(const ast::File& file, const ast::Expression& expression, std::string_view what,
@@ -151,7 +160,11 @@ class Evaluator {
     std::unordered_set<std::string> included_;
     std::vector<std::string> including_;  ///< chain of paths, the main script first
     std::unordered_map<std::string, SourceSpan> camera_places_;
-    bool incomplete_ = false;  ///< an include could not be read
+    std::unordered_map<const ast::File*, std::vector<bool>> executed_;  ///< by statement
+    const ast::File* marked_file_ = nullptr;
+    std::vector<bool>* marks_ = nullptr;   ///< of marked_file_
+    std::unordered_set<Symbol> declared_;  ///< names that stand anywhere, for check_unreached()
+    bool incomplete_ = false;              ///< an include could not be read
 
     friend class BlockReader;
 };

@@ -36,8 +36,9 @@ struct print_word   : word<TAO_PEGTL_STRING("print")> {};
 struct true_word    : word<TAO_PEGTL_STRING("true")> {};
 struct false_word   : word<TAO_PEGTL_STRING("false")> {};
 
-struct reserved : p::sor<include_word, in_word, if_word, let_word, param_word, print_word, def_word,
-                         for_word, false_word, else_word, assert_word, true_word> {};
+struct reserved : p::seq<p::at<p::one<'i', 'l', 'p', 'd', 'f', 'e', 'a', 't'>>,
+                         p::sor<include_word, in_word, if_word, let_word, param_word, print_word,
+                                def_word, for_word, false_word, else_word, assert_word, true_word>> {};
 struct name     : p::seq<p::not_at<reserved>, p::identifier> {};
 
 struct open_round   : p::one<'('> {};

@@ -57,6 +57,7 @@ Evaluation evaluate(const Script& script, const Definitions& definitions, const 
         try {
             evaluator.read_definitions(usage);
             evaluator.run();
+            evaluator.check_unreached();
             evaluator.check_definitions(usage);
         } catch (const StopReading&) {
         }

@@ -2,6 +2,7 @@
 // of the same depth to go on with.
 #include <algorithm>
 
+#include "model/utf8.h"
 #include "parser/builder.h"
 #include "parser/scan.h"
 
@@ -26,6 +27,7 @@ std::string Builder::found_at(const char* at) const {
     const Token token = scan::next_token(text_, offset_of(at));
     if (token.kind == Token::Kind::end) return "the end of the file";
     std::string_view text = text_.substr(token.begin, token.end - token.begin);
+    if (static_cast<unsigned char>(text[0]) < ' ') return "a control character";
     if (text.size() <= longest) return "'" + std::string(text) + "'";
     std::size_t cut = longest;
     while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;
@@ -77,6 +79,11 @@ Builder::Mark Builder::mark(const char* at) const {
 }
 
 void Builder::report(const Mark& mark, const SyntaxError& error) {
+    // What is no text at all has been reported, as such.
+    const std::size_t stop = scan::skip_blanks(text_, offset_of(error.at));
+    if (stop < text_.size() && find_invalid_utf8(text_.substr(0, stop + 1), stop) == stop &&
+        find_invalid_utf8(text_, stop) == stop)
+        return;
     const SourceSpan where = span_of_token(error.at);
     const std::string found = found_at(error.at);
     Diagnostic* said = nullptr;

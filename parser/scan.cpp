@@ -6,10 +6,12 @@
 namespace lancer::scan {
 
 bool is_reserved(std::string_view word) {
-    static constexpr std::array words{"include", "let",  "param",  "def",   "for",  "in",
-                                      "if",      "else", "assert", "print", "true", "false"};
-    return word.size() >= 2 && word.size() <= 7 &&
-           std::find(words.begin(), words.end(), word) != words.end();
+    static constexpr std::array<std::string_view, 12> words{"include", "let",   "param", "def",
+                                                            "for",     "in",    "if",    "else",
+                                                            "assert",  "print", "true",  "false"};
+    for (const std::string_view reserved : words)
+        if (word[0] == reserved[0] && word == reserved) return true;
+    return false;
 }
 
 bool begins_statement(std::string_view word) {

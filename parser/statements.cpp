@@ -34,6 +34,7 @@ void Evaluator::step() {
         return;
     }
     const ast::File& file = *frame.file;
+    mark_executed(file, frame.next);
     const ast::Statement& statement = file.statements[frame.next++];
     meter_.statement(file.span(statement));
     execute(file, statement);
@@ -298,28 +299,34 @@ void Evaluator::execute_property(const ast::File& file, const ast::Statement& st
     }
 }
 
+void Evaluator::report_unknown_block(const ast::File& file, const ast::Statement& statement) {
+    const Vocabulary& vocabulary = program_.vocabulary;
+    const SourceSpan place = file.span(statement);
+    const bool light = statement.word == vocabulary.light;
+    if (light && statement.name == no_symbol) {
+        report_.error(Message::light_without_kind, place);
+        return;
+    }
+    const Symbol wrong = light ? statement.name : statement.word;
+    Diagnostic* error =
+        light ? report_.error(Message::unknown_light, file.name_span(statement), text(wrong))
+        : vocabulary.in_statements().knows(wrong)
+            ? report_.error(Message::block_is_property, place, text(wrong))
+            : report_.error(Message::unknown_block, place, text(wrong));
+    if (error == nullptr) return;
+    Suggestion suggestion(text(wrong));
+    for (const BlockWord& block : vocabulary.blocks())
+        if ((block.keyword == vocabulary.light) || !light)
+            suggestion.consider(light ? block.info->kind : block.info->keyword);
+    error->hint = suggestion.hint();
+}
+
 void Evaluator::execute_block(const ast::File& file, const ast::Statement& statement) {
     const Vocabulary& vocabulary = program_.vocabulary;
     const SourceSpan place = file.span(statement);
     const BlockWord* word = vocabulary.block(statement.word, statement.name);
     if (word == nullptr) {
-        const bool light = statement.word == vocabulary.light;
-        if (light && statement.name == no_symbol) {
-            report_.error(Message::light_without_kind, place);
-            return;
-        }
-        const Symbol wrong = light ? statement.name : statement.word;
-        Diagnostic* error =
-            light ? report_.error(Message::unknown_light, file.name_span(statement), text(wrong))
-            : vocabulary.in_statements().knows(wrong)
-                ? report_.error(Message::block_is_property, place, text(wrong))
-                : report_.error(Message::unknown_block, place, text(wrong));
-        if (error == nullptr) return;
-        Suggestion suggestion(text(wrong));
-        for (const BlockWord& block : vocabulary.blocks())
-            if ((block.keyword == vocabulary.light) || !light)
-                suggestion.consider(light ? block.info->kind : block.info->keyword);
-        error->hint = suggestion.hint();
+        report_unknown_block(file, statement);
         return;
     }
     if (word->keyword == vocabulary.group) {

@@ -47,6 +47,10 @@ class Vocabulary {
     /// In files, groups and templates: the properties of a group, `background` and `ambient`.
     const PropertySet& in_statements() const { return in_statements_; }
     const BlockWord& file() const { return *file_; }
+    /// Whether some block has a property of this name that takes one of a few words.
+    bool takes_word(Symbol property) const {
+        return any_.knows(property) && !any_.field(any_.index(property)).words.empty();
+    }
     const std::vector<BlockWord>& blocks() const { return blocks_; }
 
     Symbol light, group, material, texture;

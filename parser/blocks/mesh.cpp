@@ -26,20 +26,22 @@ constexpr Field mesh_fields[] = {
     field<&MeshSpec::smooth, rules::Flag>("smooth", "true", "false: flat faces"),
 };
 
-std::string count_of(std::size_t count, std::string_view what) {
-    return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+std::string count_of(std::size_t count, std::string_view one, std::string_view more) {
+    return std::to_string(count) + " " + std::string(count == 1 ? one : more);
 }
 
 void warn_degenerate(BlockReader& block, const SourceSpan& place, std::uint64_t count) {
     if (count == 0) return;
-    block.warning(Message::degenerate_triangles, place, count_of(count, "degenerate triangle"));
+    block.warning(Message::degenerate_triangles, place,
+                  count_of(count, "degenerate triangle", "degenerate triangles"));
 }
 
 void check_counts(BlockReader& block, const MeshSpec& spec) {
     const auto one_each = [&](std::string_view property, std::size_t count) {
         if (block.has(property) && count != spec.vertices.size())
             block.error(Message::element_count, block.place(property), property,
-                        count_of(count, "element"), count_of(spec.vertices.size(), "vertex"));
+                        count_of(count, "element", "elements"),
+                        count_of(spec.vertices.size(), "vertex", "vertices"));
     };
     one_each("normals", spec.normals.size());
     one_each("uvs", spec.uvs.size());
@@ -47,7 +49,7 @@ void check_counts(BlockReader& block, const MeshSpec& spec) {
         for (const std::uint32_t corner : spec.faces[i]) {
             if (corner < spec.vertices.size()) continue;
             block.error(Message::face_index, block.place("faces"), i, corner,
-                        count_of(spec.vertices.size(), "vertex"));
+                        count_of(spec.vertices.size(), "vertex", "vertices"));
             return;
         }
     }
