@@ -29,19 +29,36 @@ bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real
     return balance > 0;
 }
 
-/// The bodies around a camera ray's origin, largest bounding box first, then in the order of
-/// declaration.
+/// The bodies around the origins of camera rays. Whose bounds hold an origin is found once for all
+/// rays that share it.
 template <class Real>
-MediaList media_around(const World<Real>& world, const Ray<Real>& ray) {
-    MediaList media;
-    if (!world.has_media) return media;
-    for (std::size_t i = 0; i < world.mediums.size(); ++i) {
-        if (world.medium_bounds[i].contains(ray.origin) &&
-            starts_inside(world, world.mediums[i], ray))
-            media.push_back(world.mediums[i]);
+class CameraMedia {
+  public:
+    /// Largest bounding box first, then in the order of declaration.
+    MediaList around(const World<Real>& world, const Ray<Real>& ray) {
+        MediaList media;
+        if (!world.has_media) return media;
+        if (!known_ || ray.origin != origin_) look_around(world, ray.origin);
+        for (const std::uint32_t body : near_) {
+            if (starts_inside(world, body, ray)) media.push_back(body);
+        }
+        return media;
     }
-    return media;
-}
+
+  private:
+    void look_around(const World<Real>& world, const Vec3<Real>& origin) {
+        near_.clear();
+        for (std::size_t i = 0; i < world.mediums.size(); ++i) {
+            if (world.medium_bounds[i].contains(origin)) near_.push_back(world.mediums[i]);
+        }
+        origin_ = origin;
+        known_ = true;
+    }
+
+    bool known_ = false;
+    Vec3<Real> origin_{0};
+    MediaList near_;  ///< bodies whose bounds hold `origin_`
+};
 
 /// The list behind a contact: its entries appended, then its exits dropped. `contact` has entries
 /// first.

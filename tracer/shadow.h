@@ -3,6 +3,7 @@
 
 #include "tracer/media.h"
 #include "tracer/optics.h"
+#include "tracer/seams.h"
 #include "tracer/surface.h"
 
 namespace lancer {
@@ -46,24 +47,28 @@ Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real di
     Start<Real> start{0, true, touched};
     const Way way = survey(world, ray, distance, start, media);
     if (way == Way::blocked) return Vec3<Real>(0);
+    // What casts no shadow does not weaken light inside it either.
+    const auto casts_none = [&](std::uint32_t body) {
+        return !world.primitives[body].casts_shadow;
+    };
+    media.erase(std::remove_if(media.begin(), media.end(), casts_none), media.end());
     Vec3<Real> light(1);
     while (way == Way::filtered) {
         Contact<Real> contact = nearest_contact(world, ray, start, media, Shadows::cast);
         if (contact.empty()) break;
-        const Hit<Real>& nearest = contact.front();
+        const Hit<Real> nearest = contact.front();
         if (!(nearest.t < distance - nearest.error)) break;
         if (const Finish<Real>* medium = medium_of(world, media); medium && medium->absorbs)
             light = light * absorbed(medium->absorption, nearest.t - start.t);
         order_contact(world, contact);
         start.surfaces.clear();
-        for (const Hit<Real>& hit : contact) {
-            light = light * make_surface(world, ray, hit).passing;
-            start.surfaces.push_back(hit.surface);
-        }
-        if (!(max_component(light) > 0)) return Vec3<Real>(0);
+        for (const Hit<Real>& hit : contact) start.surfaces.push_back(hit.surface);
         start.t = nearest.t;
         start.fresh = false;
         media = crossed(world, media, contact);
+        drop_seams(world, contact, Real(1));
+        for (const Hit<Real>& hit : contact) light = light * make_surface(world, ray, hit).passing;
+        if (!(max_component(light) > 0)) return Vec3<Real>(0);
     }
     if (const Finish<Real>* medium = medium_of(world, media); medium && medium->absorbs)
         light = light * absorbed(medium->absorption, distance - start.t);

@@ -5,6 +5,7 @@
 
 #include "tracer/lights.h"
 #include "tracer/render.h"
+#include "tracer/seams.h"
 #include "tracer/shadow.h"
 
 namespace lancer {
@@ -38,7 +39,7 @@ class Whitted {
     Vec3<Real> camera_ray(const Ray<Real>& ray, Witness<Real>* witness) {
         ++counts.primary;
         witness_ = witness;
-        return trace(ray, {}, media_around(world_, ray), Real(1), 0);
+        return trace(ray, {}, origins_.around(world_, ray), Real(1), 0);
     }
 
   private:
@@ -50,7 +51,7 @@ class Whitted {
         const MediaList& after;
         Real ratio = 1;      ///< of the indices before and after
         bool total = false;  ///< total internal reflection
-        Vec3<Real> bent{0};  ///< the refracted direction; null when `total`
+        Vec3<Real> bent{0};  ///< the refracted direction, or the mirrored one when `total`
     };
 
     /// \param weight  product along the way of the largest channel of each factor
@@ -77,12 +78,15 @@ class Whitted {
             for (const Hit<Real>& hit : contact) touched.push_back(hit.surface);
             const MediaList after = crossed(world_, media, contact);
             Crossed c{ray, touched, media, after};
-            const auto surfaces = resolve(contact, ray);
-            const Surface<Real>& front = surfaces.front();
-            remember(front, t);
-            bend(front, c);
-
-            const Share share = shade(surfaces, c, through, weight, level, result);
+            if (world_.has_media) c.ratio = index_of(world_, media) / index_of(world_, after);
+            if (contact.size() > 1) drop_seams(world_, contact, c.ratio);
+            const Surfaces surfaces = resolve(contact, ray);
+            Share share;
+            if (!surfaces.empty()) {
+                remember(surfaces.front(), t);
+                bend(surfaces.front(), c);
+                share = shade(surfaces, c, through, weight, level, result);
+            }
             if (share.ended) return result;
             through = through * share.light;
             weight *= share.weight;
@@ -93,6 +97,7 @@ class Whitted {
                 continue;
             }
             ++(c.total ? counts.reflected : counts.transmitted);
+            const Surface<Real>& front = surfaces.front();
             MediaList next = side(front, c, c.bent) ? media : after;
             ray = make_ray(front.position, front.position_lo, c.bent, front.error);
             media = std::move(next);
@@ -123,8 +128,6 @@ class Whitted {
 
     void bend(const Surface<Real>& front, Crossed& c) const {
         c.bent = c.ray.dir;
-        if (!world_.has_media) return;
-        c.ratio = index_of(world_, c.before) / index_of(world_, c.after);
         if (c.ratio == 1) return;
         if (refracted(c.ray.dir, front.normal, c.ratio, c.bent)) return;
         c.total = true;
@@ -182,7 +185,9 @@ class Whitted {
     /// sides.
     Real fresnel(const Surface<Real>& s, const Crossed& c) const {
         const Real cosine = -dot(s.normal, c.ray.dir);
-        if (max_component(s.passing) > 0) return fresnel_reflectance(cosine, 1 / c.ratio);
+        const bool tracked = world_.has_media && s.primitive->medium;
+        if (tracked || max_component(s.passing) > 0)
+            return fresnel_reflectance(cosine, 1 / c.ratio);
         const Real outside = index_of(world_, c.before);
         const Real index = s.finish->ior / outside;
         const bool out_of_body = s.primitive->body && !s.id.entering;
@@ -199,13 +204,14 @@ class Whitted {
         const Finish<Real>& f = *s.finish;
         Vec3<Real> sum = s.opacity * s.color * (f.ambient * world_.ambient + f.emission);
         const bool glossy = f.phong > 0 || f.blinn > 0;
+        const bool matt_in_front = f.diffuse > 0 && s.opacity > 0;
         const Vec3<Real> mirror = f.phong > 0 ? mirrored(c.ray.dir, s.normal) : Vec3<Real>(0);
         for (std::size_t i = 0; i < world_.lights.size(); ++i) {
             const LightSource<Real>& light = world_.lights[i];
             const Illumination<Real> at = illuminate(light, s.position, s.position_lo);
             const Real cosine = dot(s.normal, at.direction);
             const bool front = cosine > 0;
-            if (front ? !(f.diffuse > 0 || glossy) : !(cosine < 0 && f.lit_from_behind)) continue;
+            if (front ? !(matt_in_front || glossy) : !(cosine < 0 && f.lit_from_behind)) continue;
             const Vec3<Real> color = at.color * reaching(i, light, s, c, at);
             if (!(max_component(color) > 0)) continue;
             const Vec3<Real> matt = s.opacity * s.color * color;
@@ -286,6 +292,7 @@ class Whitted {
     }
 
     const World<Real>& world_;
+    CameraMedia<Real> origins_;
     Witness<Real>* witness_ = nullptr;
 };
 

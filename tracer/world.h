@@ -57,6 +57,8 @@ struct Finish {
     bool absorbs = false;
     Real diffuse_transmission, phong_transmission;
     bool lit_from_behind = false;
+
+    bool operator==(const Finish&) const = default;
 };
 
 template <class Real>

@@ -53,7 +53,7 @@ void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& k
     Real t_out = middle + half;
     if (q != 0) {
         const Real near = c / (q * ray.dir_squared);
-        (middle > 0 ? t_in : t_out) = near;
+        (q > 0 ? t_in : t_out) = near;
     }
     if (t_in > t_out) t_in = t_out = middle;
 

@@ -1,0 +1,60 @@
+// What of a contact is a surface at all.
+#pragma once
+
+#include "tracer/query.h"
+
+namespace lancer {
+
+/// Whether the hits are the end of one clear body and the beginning of another of the same matter.
+template <class Real>
+bool is_seam(const World<Real>& world, const Hit<Real>& a, const Hit<Real>& b) {
+    const Primitive<Real>& first = world.primitives[a.surface.primitive];
+    const Primitive<Real>& second = world.primitives[b.surface.primitive];
+    if (!first.medium || !second.medium || a.surface.primitive == b.surface.primitive) return false;
+    if (a.surface.entering == b.surface.entering) return false;
+    const Finish<Real>& matter = world.finishes[first.material];
+    return first.transmissive && matter.texture == none &&
+           matter == world.finishes[second.material];
+}
+
+/// Leaves out the second of two faces of a mesh where the ray meets their common edge, so that a
+/// pane is tinted once on its diagonal too.
+template <class Real>
+void drop_second_faces(const World<Real>& world, Contact<Real>& contact) {
+    for (std::size_t i = 0; i < contact.size(); ++i) {
+        const SurfaceId first = contact[i].surface;
+        const bool sheet = !world.primitives[first.primitive].body;
+        const auto repeats = [&](const Hit<Real>& hit) {
+            return hit.surface.primitive == first.primitive &&
+                   (sheet || hit.surface.entering == first.entering);
+        };
+        const auto rest = contact.begin() + static_cast<std::ptrdiff_t>(i + 1);
+        contact.erase(std::remove_if(rest, contact.end(), repeats), contact.end());
+    }
+}
+
+/// Leaves out both sides of every place where one matter is glued to itself.
+template <class Real>
+void drop_glued(const World<Real>& world, Contact<Real>& contact) {
+    for (std::size_t i = 0; i < contact.size();) {
+        std::size_t j = i + 1;
+        while (j < contact.size() && !is_seam(world, contact[i], contact[j])) ++j;
+        if (j == contact.size()) {
+            ++i;
+            continue;
+        }
+        contact.erase(contact.begin() + static_cast<std::ptrdiff_t>(j));
+        contact.erase(contact.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+/// Leaves out of an ordered contact what is no surface of its own, which may be all of it.
+///
+/// \param ratio  of the indices before and after it
+template <class Real>
+void drop_seams(const World<Real>& world, Contact<Real>& contact, Real ratio) {
+    drop_second_faces(world, contact);
+    if (ratio == 1) drop_glued(world, contact);
+}
+
+}  // namespace lancer
