@@ -5,6 +5,8 @@
 
 #include <initializer_list>
 
+#include "model/io/temporary_file.h"
+
 namespace lancer::cli {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr int exit_code_of_signals = 128;  // plus the signal's number, as shell
 
 extern "C" void end_process(int signal_number) {
     // Only what is safe in a signal handler. A progress bar may stand on the line.
+    io::remove_temporary_files();
     if (isatty(STDERR_FILENO) == 1) [[maybe_unused]]
         const auto written = write(STDERR_FILENO, "\n", 1);
     _exit(exit_code_of_signals + signal_number);
