@@ -21,6 +21,7 @@ struct ExportJob {
     std::string output;
     std::string camera;
     std::optional<PictureSize> size;
+    bool keep_lengths = false;
     bool quiet = false;
     SceneOptions scene_options;
 };
@@ -54,8 +55,8 @@ ExitCode export_scene(const ExportJob& job, Session& session) {
     view.camera = static_cast<std::uint32_t>(pick_camera(scene, job.camera, session));
     view.width = job.size ? job.size->width : scene.width;
     view.height = job.size ? job.size->height : scene.height;
-    const reference::ExportResult result =
-        reference::export_pov(scene, view, {.name = output.stem().string()});
+    const reference::ExportResult result = reference::export_pov(
+        scene, view, {.name = output.stem().string(), .keep_lengths = job.keep_lengths});
     if (session.terminal.show(result.refusals, session.sources) > 0) return ExitCode::scene;
 
     if (!job.quiet) show_reservations(result, scene, session);
@@ -88,6 +89,8 @@ void add_export(CLI::App& app, Action& action) {
             "--size", [job](const std::string& text) { job->size = parse_size(text); },
             "Size of the picture in pixels")
         ->type_name("WxH");
+    command.add_flag("--keep-lengths", job->keep_lengths,
+                     "Lengths as in the scene, not those at which POV-Ray is most exact");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes");
     add_scene_options(command, job->scene_options);
     command.callback([&action, job] {

@@ -18,13 +18,25 @@ struct Traits {
     Bounds bounds;  ///< in the picture's units; empty for a plane
     const Material* material = nullptr;
     bool plane = false;
+    Vec3d normal{0, 0, 0};  ///< of a plane: normal·p = offset
+    double offset = 0;
     bool body = false;
     bool passes = false;   ///< light
     bool absorbs = false;  ///< a body in which light fades
 };
 
+/// Whether a plane passes through a box or touches it.
+bool meets_plane(const Traits& plane, const Bounds& box) {
+    const Vec3d middle = (box.low + box.high) / 2.0;
+    const double reach = dot(absolute(plane.normal), (box.high - box.low) / 2.0);
+    return std::abs(dot(plane.normal, middle) - plane.offset) <= reach * (1 + 1e-9);
+}
+
 bool meet(const Traits& a, const Traits& b) {
-    return a.plane || b.plane || a.bounds.overlaps(b.bounds);
+    if (a.plane && b.plane) return true;
+    if (a.plane) return meets_plane(a, b.bounds);
+    if (b.plane) return meets_plane(b, a.bounds);
+    return a.bounds.overlaps(b.bounds);
 }
 
 class Search {
@@ -49,12 +61,19 @@ class Search {
     Traits traits_of(const Object& object) const {
         Traits t;
         t.material = &scene_.materials[object.material];
-        t.plane = std::holds_alternative<Plane>(object.shape);
+        const Affine<double>& to_world = scene_.transforms[object.transform];
+        if (const auto* plane = std::get_if<Plane>(&object.shape)) {
+            t.plane = true;
+            const Vec3d own = normalize(plane->normal);
+            // A normal moves with the transposed inverse.
+            t.normal = normalize(map_transposed(inverse(to_world), own));
+            t.offset = dot(t.normal, window_(map_point(to_world, own * plane->offset)));
+        }
         t.body = is_body(scene_, object.shape);
         t.passes = lets_light_pass(scene_, *t.material);
         t.absorbs = t.body && t.passes && max_component(t.material->absorption) > 0;
         if (const auto own = shape_bounds(scene_, object.shape)) {
-            t.bounds = moved(scene_.transforms[object.transform], *own);
+            t.bounds = moved(to_world, *own);
             t.bounds.low = window_(t.bounds.low);
             t.bounds.high = window_(t.bounds.high);
         }

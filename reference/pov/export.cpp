@@ -51,7 +51,7 @@ std::string rule_name(KnownDifference::Rule rule) {
 ExportResult export_pov(const Scene& scene, const ExportView& view, const ExportOptions& options) {
     assert(view.camera < scene.cameras.size() && view.width > 0 && view.height > 0);
     ExportResult result;
-    const pov::PowerOfTen window = pov::scene_window(scene, view);
+    const pov::PowerOfTen window = pov::scene_window(scene, view, options.keep_lengths);
     pov::Writer writer{scene, view, options, result, window, {}, {}, {}, {}};
     result.factor = window.factor();
     result.exposure = options.exposure;

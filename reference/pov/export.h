@@ -24,6 +24,10 @@ struct ExportOptions {
     /// values pass 1 would be clipped in a PNG. The other side of a comparison is multiplied by it
     /// as well.
     double exposure = 1;
+    /// Lengths stay those of the scene wherever POV-Ray can stand them: easier to read and to work
+    /// on, but its constants (no hits nearer than 1e-4, no shadows nearer than 1e-3) show in more
+    /// pixels.
+    bool keep_lengths = false;
 };
 
 /// A file that must stand beside the `.pov`.

@@ -99,7 +99,7 @@ void add_uvs(Mesh2& out, const Mesh& mesh) {
 /// precision is then spent on the mesh alone, and a `translate` of double precision on its place.
 Vec3d coarse_place(const Mesh& mesh, PowerOfTen own) {
     Bounds bounds;
-    for (const Vec3d& p : mesh.vertices) bounds.add(own(p));
+    for (const Vec3d& p : mesh.vertices) bounds.add(own.plainly(p));
     const double size = bounds.diagonal();
     if (!(size > 0)) return Vec3d(0.0);
     const double step = std::ldexp(1.0, std::ilogb(size) + 1);
@@ -110,7 +110,7 @@ Vec3d coarse_place(const Mesh& mesh, PowerOfTen own) {
 Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
     Mesh2 out;
     out.shift = coarse_place(mesh, own);
-    for (const Vec3d& p : mesh.vertices) out.vertices.push_back(mesh_vector(own(p) - out.shift));
+    for (const Vec3d& p : mesh.vertices) out.vertices.push_back(mesh_vector(own.plainly(p) - out.shift));
     for (const Mesh::Corners& face : mesh.faces) out.faces.push_back(Mesh2::corners(face));
     if (smooth) add_normals(out, mesh);
     if (!mesh.uvs.empty()) add_uvs(out, mesh);

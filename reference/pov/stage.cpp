@@ -32,7 +32,7 @@ void write_header(Writer& writer) {
     text.line(writer.window.exponent == 0
                   ? "// Lengths are those of the scene."
                   : "// Lengths are those of the scene times " + number(writer.window.factor()) +
-                        ": POV-Ray is right between about 0.01 and 10,000 units.");
+                        ": POV-Ray sees no hit nearer than 1e-4, no shadow nearer than 1e-3.");
     if (writer.options.exposure != 1)
         text.line("// Lights, emission and background are multiplied by " +
                   number(writer.options.exposure) + ".");

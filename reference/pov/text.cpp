@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+
 namespace lancer::reference::pov {
 
 std::string number(double value) {
@@ -64,10 +68,25 @@ std::string identifier(std::string_view text, std::size_t longest) {
 }
 
 double PowerOfTen::operator()(double length) const {
-    // One rounding: multiplied by 10^n or divided by it, both exact up to 10^22.
-    double power = 1;
-    for (int i = exponent < 0 ? -exponent : exponent; i > 0; --i) power *= 10;
-    return exponent < 0 ? length / power : length * power;
+    if (exponent == 0 || length == 0 || !std::isfinite(length)) return length;
+    // Shortest digits in scientific form, "1.2e-03", read back with another exponent.
+    std::array<char, 40> text{};
+    char* const end =
+        std::to_chars(text.data(), text.data() + 32, length, std::chars_format::scientific).ptr;
+    char* const power = std::find(text.data(), end, 'e') + 1;
+    int decades = 0;
+    std::from_chars(*power == '+' ? power + 1 : power, end, decades);
+    char* const new_end = std::to_chars(power, text.data() + text.size(), decades + exponent).ptr;
+    double moved = 0;
+    const auto read = std::from_chars(text.data(), new_end, moved);
+    // Out of range: an infinity or a zero, as the product would be.
+    return read.ec == std::errc{} ? moved : length * elementary::pow(10.0, double(exponent));
+}
+
+Vec3d PowerOfTen::plainly(const Vec3d& v) const {
+    // Divided rather than multiplied by a fraction: powers up to 10^22 are exact.
+    const double power = PowerOfTen{std::abs(exponent)}.factor();
+    return exponent < 0 ? v / power : v * power;
 }
 
 void Text::line(std::string_view text) {

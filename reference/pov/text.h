@@ -35,7 +35,11 @@ std::string identifier(std::string_view text, std::size_t longest = 24);
 /// Lengths in powers of ten, so that decimal numbers of a script stay short ones in the export.
 struct PowerOfTen {
     int exponent = 0;
+    /// The shortest decimal of the length with its point moved, so that 0.0012 becomes 120 and not
+    /// 119.99999999999999.
     double operator()(double length) const;
+    /// The plain product: faster, for data that nobody reads.
+    Vec3d plainly(const Vec3d& v) const;
     Vec2d operator()(const Vec2d& v) const { return {(*this)(v.x), (*this)(v.y)}; }
     Vec3d operator()(const Vec3d& v) const { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
     double factor() const { return (*this)(1.0); }

@@ -3,6 +3,8 @@
 // faces.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reference/pov/pigments.h"
 
 namespace lancer::reference::pov {
@@ -57,7 +59,18 @@ struct UvWriter {
         mapped ? native() : planar();
     }
     void operator()(const MeshRef& shape) const {
-        writer.scene.meshes[shape.mesh]->uvs.empty() ? planar() : native();
+        const Mesh& mesh = *writer.scene.meshes[shape.mesh];
+        if (mesh.uvs.empty()) {
+            planar();
+            return;
+        }
+        const auto lacks_uv = [](const Mesh::Corners& corners) {
+            return std::find(corners.begin(), corners.end(), none) != corners.end();
+        };
+        if (std::any_of(mesh.uv_faces.begin(), mesh.uv_faces.end(), lacks_uv))
+            writer.refuse(object.place, "some faces of this mesh have no uvs",
+                          "give all of them uvs, or none");
+        native();
     }
     void operator()(const PatchRef&) const { native(); }
     void operator()(const LatheRef&) const { native(); }

@@ -123,7 +123,7 @@ std::optional<Bounds> shape_bounds(const Scene& scene, const Shape& shape) {
     return bounds;
 }
 
-PowerOfTen scene_window(const Scene& scene, const ExportView& view) {
+PowerOfTen scene_window(const Scene& scene, const ExportView& view, bool keep) {
     const Camera& camera = scene.cameras[view.camera];
     Bounds all;
     all.add(camera.position);
@@ -136,14 +136,17 @@ PowerOfTen scene_window(const Scene& scene, const ExportView& view) {
         sizes.push_back(world.diagonal());
     }
     double typical = length(camera.look_at - camera.position);
+    if (sizes.empty()) all.add(camera.look_at);
     if (!sizes.empty()) {
         const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
         std::nth_element(sizes.begin(), middle, sizes.end());
         typical = *middle;
     }
     if (!(typical > 0) || !std::isfinite(typical)) return {};
-    const bool in_window = typical >= 0.05 && typical <= 500 && all.diagonal() <= 1e6;
-    return {in_window ? 0 : -decade(typical)};
+    if (keep && typical >= 0.05 && typical <= 500 && all.diagonal() <= 1e6) return {};
+    const int least = -decade(typical);
+    if (!(all.diagonal() > 0) || !std::isfinite(all.diagonal())) return {least};
+    return {std::max(least, std::min(2 + least, 4 - decade(all.diagonal())))};
 }
 
 ObjectSpace object_space(const Affine<double>& to_world, PowerOfTen window) {

@@ -28,11 +28,12 @@ std::optional<Bounds> shape_bounds(const Scene& scene, const Shape& shape);
 /// The box that holds `bounds` after `map`.
 Bounds moved(const Affine<double>& map, const Bounds& bounds);
 
-/// The power of ten that brings the scene into the window of sizes in which POV-Ray is right, about
-/// 0.01 to 10,000 with its absolute constants of 1e-4 and 1e-3: 1 for a scene that is in it
-/// already. Decided by the median size of the bounded objects, or by the camera's distance from
-/// what it looks at when there are none.
-PowerOfTen scene_window(const Scene& scene, const ExportView& view);
+/// The power of ten that lengths are multiplied by, so that POV-Ray is right. Its constants are
+/// absolute, 1e-4 and 1e-3, so larger is better up to about 10,000, beyond which hits are lost: the
+/// median size of the bounded objects becomes 100 to 1,000, or 1 at least where the whole scene
+/// would pass 100,000. Without bounded objects the camera's distance from what it looks at stands
+/// for their size. `keep`: 1 for a scene whose objects are 0.05 to 500 in size.
+PowerOfTen scene_window(const Scene& scene, const ExportView& view, bool keep);
 
 /// How an object's own space is brought near the size that it has in the picture: lengths in its
 /// own space are multiplied by `own` before the matrix `to_picture` takes them there.

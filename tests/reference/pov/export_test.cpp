@@ -18,8 +18,9 @@ using Rule = KnownDifference::Rule;
 
 constexpr ExportView view{0, 160, 120};
 
+/// In the scene's own lengths, which read better.
 std::string text_of(const Scene& scene) {
-    return export_pov(scene, view).text;
+    return export_pov(scene, view, {.keep_lengths = true}).text;
 }
 
 /// From the first line that holds `first` to the end of its block.
@@ -99,12 +100,28 @@ TEST(Export, RescalesDecimalNumbersIntoDecimalNumbers) {
     glass.absorption = {50, 100, 0};
     add_object(scene, Sphere{{0.0003, 0, 0}, 0.001}, add_material(scene, glass));
     const ExportResult result = export_pov(scene, view);
-    EXPECT_EQ(result.factor, 1000);
-    EXPECT_THAT(result.text, HasSubstr("Lengths are those of the scene times 1000"));
-    EXPECT_THAT(result.text, HasSubstr("location <0, 0, 7>"));
-    EXPECT_THAT(result.text, HasSubstr("<1.2, 0, 0>, rgb 0.7\n    fade_distance 3 fade_power 2"));
-    EXPECT_THAT(result.text, HasSubstr("sphere { <0.3, 0, 0>, 1\n"));
-    EXPECT_THAT(result.text, HasSubstr("fade_distance 10 fade_color rgb <0.5, 0, 1>"));
+    EXPECT_EQ(result.factor, 1e5);
+    EXPECT_THAT(result.text, HasSubstr("Lengths are those of the scene times 100000"));
+    EXPECT_THAT(result.text, HasSubstr("location <0, 0, 700>"));
+    EXPECT_THAT(result.text, HasSubstr("<120, 0, 0>, rgb 0.7\n    fade_distance 300 fade_power 2"));
+    EXPECT_THAT(result.text, HasSubstr("sphere { <30, 0, 0>, 100\n"));
+    EXPECT_THAT(result.text, HasSubstr("fade_distance 1000 fade_color rgb <0.5, 0, 1>"));
+}
+
+TEST(Export, ChoosesAScaleThatSuitsMostOfTheScene) {
+    const auto factor = [](std::initializer_list<double> radii, bool keep) {
+        Scene scene = empty_scene();
+        for (const double r : radii) add_object(scene, Sphere{{0, 0, 0}, r});
+        return export_pov(scene, view, {.keep_lengths = keep}).factor;
+    };
+    EXPECT_EQ(factor({1, 1, 1}, false), 100);
+    EXPECT_EQ(factor({1, 1, 1}, true), 1);
+    EXPECT_EQ(factor({1e-3, 1e-3, 1e-3}, true), 1e4) << "too small to be kept";
+    EXPECT_EQ(factor({1, 1, 1e6}, false), 1) << "a planet under small things";
+    EXPECT_EQ(factor({1, 1, 1e6}, true), 1);
+    EXPECT_EQ(factor({1, 1, 300}, false), 10) << "neither too small nor too far";
+    EXPECT_EQ(factor({1e30, 1e30, 1e30}, true), 1e-28);
+    EXPECT_EQ(factor({}, false), 100) << "by the view";
 }
 
 TEST(Export, PutsTransformsBehindTheTextureSoThatTheyMoveIt) {
@@ -236,6 +253,17 @@ TEST(Export, RefusesWhatPovRayHasNoWordForAtItsPlace) {
     EXPECT_EQ(refusal(scene).where, scene.objects[1].place);
 
     scene = empty_scene();
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}};
+    mesh.faces = {{0, 1, 2}, {1, 2, 3}};
+    mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+    mesh.uv_faces = {{0, 1, 2}, {none, none, none}};
+    scene.meshes.push_back(std::make_shared<Mesh>(mesh));
+    add_object(scene, MeshRef{0, false},
+               add_texture(scene, {ImageTexture{add_image(scene), ImageTexture::Mapping::uv}, {}}));
+    EXPECT_THAT(refusal(scene).message, HasSubstr("some faces of this mesh have no uvs"));
+
+    scene = empty_scene();
     scene.prisms.push_back({{{0, 0}, {1, 0}, {0, 1}}, Spline::linear, 0, 1, true, {}});
     add_object(scene, PrismRef{0},
                add_texture(scene, {ImageTexture{add_image(scene), ImageTexture::Mapping::uv}, {}}));
@@ -288,6 +316,10 @@ TEST(KnownDifferences, NameBodiesWhoseAbsorptionPovRayApproximates) {
     EXPECT_THAT(known(scene, Rule::absorption_inside), testing::ElementsAre(0));
     add_object(scene, Sphere{{0.3, 0, 0}, 0.1});
     EXPECT_THAT(known(scene, Rule::absorption_nested), testing::ElementsAre(0));
+    scene.objects[1].shape = Plane{{0, 0.5, 0}, -1.1};
+    EXPECT_TRUE(known(scene, Rule::absorption_nested).empty()) << "a plane below";
+    scene.objects[1].shape = Plane{{0, 0.5, 0}, 0.9};
+    EXPECT_THAT(known(scene, Rule::absorption_nested), testing::ElementsAre(0));
     scene.materials.back().diffuse_transmission = 0.5;
     EXPECT_THAT(known(scene, Rule::light_from_behind), testing::ElementsAre(0));
     scene.materials.back().transmission = 0;
@@ -329,6 +361,7 @@ TEST(KnownDifferences, NameThinAndFarBodies) {
     add_object(scene, Box{{0, 0, 0}, {1, 1, 0.001}});
     add_object(scene, Sphere{{1, 1, 1}, 1});
     add_object(scene, Sphere{{2e7, 0, 0}, 1});
+    ASSERT_EQ(export_pov(scene, view).factor, 1);
     EXPECT_THAT(known(scene, Rule::small_features), testing::ElementsAre(0));
     EXPECT_THAT(known(scene, Rule::far_away), testing::ElementsAre(2));
 }

@@ -78,7 +78,10 @@ inline std::vector<Shape> all_shapes(Scene& scene) {
     open.uvs.clear();
     scene.meshes.push_back(std::make_shared<Mesh>(tetrahedron));
     scene.meshes.push_back(std::make_shared<Mesh>(open));
-    const auto mesh = static_cast<std::uint32_t>(scene.meshes.size() - 2);
+    Mesh shifted = tetrahedron;
+    for (Vec3d& v : shifted.vertices) v.y -= 10;
+    scene.meshes.push_back(std::make_shared<Mesh>(shifted));
+    const auto mesh = static_cast<std::uint32_t>(scene.meshes.size() - 3);
     TriangleAttributes attributes;
     attributes.normals = {Vec3d(0, 0, 1), Vec3d(0.3, 0, 1), Vec3d(0, 0.3, 1)};
     attributes.uvs = {Vec2d(0, 0), Vec2d(1, 0), Vec2d(0.5, 1)};
@@ -100,6 +103,7 @@ inline std::vector<Shape> all_shapes(Scene& scene) {
         MeshRef{mesh, true},
         MeshRef{mesh, false},
         MeshRef{mesh + 1, true},
+        MeshRef{mesh + 2, true},
     };
     Patch patch;
     for (int i = 0; i < 4; ++i)
