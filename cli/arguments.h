@@ -2,12 +2,17 @@
 // bounds.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "tracer/render.h"
+
+// CLI11 is slow to compile, so only the files that add options include it.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace lancer::cli {
 

@@ -1,5 +1,6 @@
 // lancer check
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 

@@ -2,9 +2,11 @@
 // has been named there, `action` is what to do.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "cli/session.h"
+
+namespace CLI {
+class App;
+}
 
 namespace lancer::cli {
 

@@ -2,6 +2,7 @@
 #include "reference/compare/compare.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <limits>

@@ -1,5 +1,6 @@
 // lancer export
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>

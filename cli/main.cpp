@@ -49,6 +49,8 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
 }  // namespace
 }  // namespace lancer::cli
 
+// Memory that runs out while an error is being reported ends the process as well as anything would.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
     using namespace lancer;
     using namespace lancer::cli;

@@ -1,4 +1,5 @@
 // lancer render
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"

@@ -1,6 +1,7 @@
 #include "cli/scene_loader.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

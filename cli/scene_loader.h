@@ -1,7 +1,6 @@
 // A scene file on its way to a Scene: read and parsed once, evaluated once per frame.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,6 +9,10 @@
 #include "cli/session.h"
 #include "model/scene.h"
 #include "parser/parse.h"
+
+namespace CLI {
+class App;
+}
 
 namespace lancer::cli {
 

@@ -1,5 +1,6 @@
 #include "cli/settings_options.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
 #include <thread>

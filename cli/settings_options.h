@@ -1,11 +1,14 @@
 // The options that take the place of a script's `render { … }`.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 
 #include "model/settings.h"
+
+namespace CLI {
+class App;
+}
 
 namespace lancer::cli {
 

@@ -99,7 +99,7 @@ std::string with_colors(std::string_view diagnostic) {
         diagnostic.remove_prefix(std::min(end + 1, diagnostic.size()));
         const std::size_t first = line.find_first_not_of(" \t");
         const bool is_caret = first != std::string_view::npos && line[first] == '^' &&
-                              line.find_first_not_of("~", first + 1) == std::string_view::npos;
+                              line.find_first_not_of('~', first + 1) == std::string_view::npos;
         if (!line.starts_with("    ")) {
             out += color_heading(line);
         } else if (is_caret) {

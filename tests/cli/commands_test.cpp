@@ -1,0 +1,135 @@
+// What holds for all commands, and `check`, `info` and `compare`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_lancer.h"
+
+namespace lancer::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+const std::vector<std::string> commands{"render", "check", "info", "compare"};
+
+TEST(Commands, HelpAndVersionAreEverywhere) {
+    const Workplace place;
+    EXPECT_EQ(place.run({"--help"}).code, 0);
+    EXPECT_THAT(place.run({"--version"}).out, StartsWith("lancer "));
+    for (const std::string& command : commands) {
+        const Finished help = place.run({command, "--help"});
+        EXPECT_EQ(help.code, 0);
+        EXPECT_THAT(help.out, HasSubstr("lancer " + command)) << command;
+        EXPECT_THAT(help.err, IsEmpty());
+        EXPECT_THAT(place.run({command, "--version"}).out, StartsWith("lancer ")) << command;
+        EXPECT_THAT(place.run({"--help"}).out, HasSubstr("  " + command + " "));
+    }
+}
+
+TEST(Commands, WrongUseIsTwo) {
+    const Workplace place;
+    EXPECT_EQ(place.run({}).code, 2);
+    const Finished unknown = place.run({"rendr", "a.lancer"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("there is no command 'rendr'"));
+    for (const std::string& command : commands) {
+        EXPECT_EQ(place.run({command}).code, 2) << command;
+        EXPECT_EQ(place.run({command, "--bogus"}).code, 2) << command;
+    }
+}
+
+TEST(Commands, AFileThatCannotBeReadIsFour) {
+    const Workplace place;
+    for (const std::string& command : commands) {
+        const Finished finished = place.run({command, "nowhere.png", "nowhere.png"});
+        if (command == "check" || command == "compare") {
+            EXPECT_EQ(finished.code, 4) << command;
+        }
+        if (command != "compare") {
+            const Finished single = place.run({command, "nowhere.lancer"});
+            EXPECT_EQ(single.code, 4) << command;
+            EXPECT_THAT(single.err, HasSubstr("nowhere.lancer"));
+            EXPECT_EQ(place.run({command, "."}).code, 4) << "a folder";
+        }
+    }
+}
+
+TEST(Commands, AnEmptySceneIsNoMistake) {
+    const Workplace place;
+    const Finished finished = place.run({"check", "-"}, "");
+    EXPECT_EQ(finished.code, 0);
+    EXPECT_THAT(finished.err, HasSubstr("warning: the scene has no camera"));
+    EXPECT_THAT(finished.err, HasSubstr("warning: the scene has no light"));
+}
+
+TEST(Commands, CheckReadsAllScenesAndTellsTheWorst) {
+    const Workplace place;
+    place.write("good.lancer", small_scene());
+    place.write("bad.lancer", "sphere { raduis 1 }\nspere { }\n");
+    EXPECT_EQ(place.run({"check", "good.lancer"}).code, 0);
+    const Finished both = place.run({"check", "bad.lancer", "good.lancer"});
+    EXPECT_EQ(both.code, 3);
+    EXPECT_THAT(both.err, HasSubstr("bad.lancer:1:10: error: "));
+    EXPECT_THAT(both.err, HasSubstr("bad.lancer:2:1: error: "));
+    EXPECT_THAT(both.out, HasSubstr("good.lancer: no errors"));
+    const Finished missing = place.run({"check", "nowhere.lancer", "bad.lancer", "good.lancer"});
+    EXPECT_EQ(missing.code, 4);
+    EXPECT_THAT(missing.err, HasSubstr("bad.lancer:1:10: error: "));
+    EXPECT_THAT(place.files(), ElementsAre("bad.lancer", "good.lancer"));
+}
+
+TEST(Commands, ALimitCanBeRaised) {
+    const Workplace place;
+    const std::string scene =
+        "def down(n) { if n > 0 { down(n - 1) } }\n"
+        "down(2000)\n" +
+        small_scene();
+    EXPECT_EQ(place.run({"check", "-"}, scene).code, 3);
+    const Finished raised =
+        place.run({"check", "-", "--limit-calls", "100000", "--limit-nesting", "100000"}, scene);
+    EXPECT_EQ(raised.code, 0) << raised.err;
+}
+
+TEST(Commands, InfoTellsWhatTheSceneHoldsAndWhoAsksForWhat) {
+    const Workplace place;
+    place.write("a.lancer", small_scene() +
+                                "sphere { radius 0.2 name \"drop\"\n"
+                                "  material { transmission 0.9 ior 1.3 } }\n");
+    const Finished text = place.run({"info", "a.lancer"});
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_THAT(text.out, HasSubstr("2 spheres, 1 box, 1 plane"));
+    EXPECT_THAT(text.out, HasSubstr("a.lancer:11:1: sphere \"drop\""));
+
+    const Finished finished = place.run({"info", "--json", "a.lancer"});
+    const nlohmann::json json = nlohmann::json::parse(finished.out);
+    EXPECT_EQ(json.at("shapes").at("sphere"), 2);
+    EXPECT_EQ(json.at("cameras").size(), 2u);
+    std::vector<std::string> features;
+    for (const auto& requirement : json.at("requires"))
+        features.push_back(requirement.at("feature"));
+    EXPECT_THAT(features, ElementsAre("shadows", "filtered shadows", "reflection", "transmission",
+                                      "media", "refraction"));
+}
+
+TEST(Commands, CompareTellsEqualFromDifferent) {
+    const Workplace place;
+    place.write("a.lancer", small_scene());
+    ASSERT_EQ(place.run({"render", "a.lancer", "-o", "a.png"}).code, 0);
+    ASSERT_EQ(place.run({"render", "a.lancer", "-o", "b.png", "-D", "size=0.7"}).code, 0);
+    EXPECT_EQ(place.run({"compare", "a.png", "a.png"}).code, 0);
+    const Finished different =
+        place.run({"compare", "a.png", "b.png", "-o", "heat.png", "--json", "c.json"});
+    EXPECT_EQ(different.code, 1);
+    EXPECT_EQ(nlohmann::json::parse(place.read("c.json")).at("verdict"), "fail");
+    EXPECT_TRUE(place.exists("heat.png"));
+    EXPECT_EQ(place.run({"compare", "a.png", "b.png", "--fail", "2"}).code, 0);
+    EXPECT_EQ(place.run({"compare", "a.png", "b.png", "-o", "nowhere/heat.png"}).code, 4);
+}
+
+}  // namespace
+}  // namespace lancer::cli
