@@ -20,8 +20,8 @@ ExitCode check(const std::string& path, const CheckJob& job, Session& session) {
     try {
         SceneLoader loader(path, job.scene_options, session);
         session.terminal.show(missing_parts(loader.load()), session.sources);
-    } catch (const SceneRejected&) {
-        return ExitCode::scene;
+    } catch (const SceneRejected& rejected) {
+        return rejected.code;
     } catch (const FileError& error) {
         // The other scenes still deserve their answer.
         session.terminal.error(error.what());

@@ -10,7 +10,6 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "model/io/file.h"
 #include "model/io/image_file.h"
 #include "reference/compare/comparison_text.h"
@@ -56,7 +55,6 @@ ExitCode compare_folders(const CompareJob& job) {
     const reference::FolderComparison result =
         reference::compare_folders(job.a, job.b, options_of(job), show);
     if (!job.report.empty()) {
-        const HoldInterrupts hold;
         reference::write_report(result.report, job.report);
         if (!job.quiet) fmt::print("wrote {}/index.html\n", job.report);
     }
@@ -77,8 +75,6 @@ ExitCode compare(const CompareJob& job) {
     const Image b = io::read_image(job.b);
     const reference::CompareOptions options = options_of(job);
     const reference::Comparison comparison = reference::compare_images(a, b, options);
-
-    const HoldInterrupts hold;
     if (!job.json.empty()) io::write_file(job.json, reference::to_json(comparison, options));
     if (!job.heat_map.empty() && comparison.comparable) write_heat_map(job, a, b);
     if (!job.quiet) fmt::print("{}", reference::to_text(comparison, options));

@@ -7,7 +7,6 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/scene_loader.h"
 #include "model/io/file.h"
 #include "reference/pov/export.h"
@@ -61,7 +60,6 @@ ExitCode export_scene(const ExportJob& job, Session& session) {
     if (session.terminal.show(result.refusals, session.sources) > 0) return ExitCode::scene;
 
     if (!job.quiet) show_reservations(result, scene, session);
-    const HoldInterrupts hold;
     for (const reference::Asset& asset : result.assets)
         io::write_file((output.parent_path() / asset.name).string(), asset.bytes);
     io::write_file(job.output, result.text);

@@ -17,15 +17,8 @@ extern "C" void end_process(int signal_number) {
     io::remove_temporary_files();
     if (isatty(STDERR_FILENO) == 1) [[maybe_unused]]
         const auto written = write(STDERR_FILENO, "\n", 1);
+    io::remove_temporary_files();
     _exit(exit_code_of_signals + signal_number);
-}
-
-sigset_t interrupts() {
-    sigset_t set;
-    sigemptyset(&set);
-    sigaddset(&set, SIGINT);
-    sigaddset(&set, SIGTERM);
-    return set;
 }
 
 }  // namespace
@@ -39,18 +32,6 @@ void end_on_interrupt() {
         // A caller that ignores the signal (nohup, a shell's background job) has its reasons.
         if (before.sa_handler != SIG_IGN) sigaction(signal_number, &action, nullptr);
     }
-}
-
-// No other thread runs while a file is written, or it has inherited the mask: a signal that is held
-// here is held for the whole process.
-HoldInterrupts::HoldInterrupts() {
-    const sigset_t set = interrupts();
-    pthread_sigmask(SIG_BLOCK, &set, nullptr);
-}
-
-HoldInterrupts::~HoldInterrupts() {
-    const sigset_t set = interrupts();
-    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
 }  // namespace lancer::cli

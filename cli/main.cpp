@@ -30,6 +30,10 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
     app.set_version_flag("--version", "lancer " LANCER_VERSION);
 
     Action action;
+    add_render(app, action);
+    add_check(app, action);
+    add_info(app, action);
+    add_export(app, action);
     add_compare(app, action);
     add_validate(app, action);
     for (CLI::App* command : app.get_subcommands({}))
@@ -66,8 +70,8 @@ int main(int argc, char** argv) {
         session.terminal.error(error.what());
         session.terminal.line("    hint: lancer --help, or lancer COMMAND --help");
         return static_cast<int>(ExitCode::usage);
-    } catch (const SceneRejected&) {
-        return static_cast<int>(ExitCode::scene);
+    } catch (const SceneRejected& rejected) {
+        return static_cast<int>(rejected.code);
     } catch (const SceneError& error) {
         session.terminal.show({{Severity::error, error.where, error.what(), "", {}}},
                               session.sources);

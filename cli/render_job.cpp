@@ -1,18 +1,17 @@
 #include "cli/render_job.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/interrupt.h"
 #include "cli/memory_bound.h"
 #include "cli/output_names.h"
 #include "cli/progress.h"
 #include "cli/statistics.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
+#include "model/io/temporary_file.h"
 #include "tracer/render.h"
 
 namespace lancer::cli {
@@ -49,8 +48,7 @@ void check_writable(const std::string& path) {
     std::error_code ignored;
     if (!fs::is_directory(where, ignored))
         throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", path, where));
-    if (access(where.c_str(), W_OK | X_OK) != 0)
-        throw FileError(fmt::format("cannot write '{}': no right to write in '{}'", path, where));
+    const io::TemporaryFile trial(where, ending_of(path), path);
     if (fs::is_directory(path, ignored))
         throw FileError(fmt::format("cannot write '{}': it is a folder", path));
 }
@@ -115,10 +113,7 @@ class Rendering {
         statistics_.add(rays);
 
         watch = {};
-        {
-            const HoldInterrupts hold;
-            io::write_image(output, image, job_.image);
-        }
+        io::write_image(output, image, job_.image);
         statistics_.write += watch.seconds();
         ++statistics_.frames;
         width_ = image.width;
@@ -134,7 +129,6 @@ class Rendering {
         if (job_.statistics == "-") {
             fmt::print("{}", to_text(statistics_));
         } else if (!job_.statistics.empty()) {
-            const HoldInterrupts hold;
             io::write_file(job_.statistics, to_json(statistics_));
         }
         if (!job_.quiet)

@@ -106,7 +106,13 @@ void SceneLoader::show_new(std::vector<Diagnostic> found) {
         return diagnostic.severity == Severity::warning &&
                !shown_.insert(format(diagnostic, session_.sources)).second;
     });
-    if (session_.terminal.show(std::move(found), session_.sources) > 0) throw SceneRejected();
+    // The evaluator keeps the text of `-D name=value` as a source of its own, called `-D name`.
+    const bool is_wrong_use = std::any_of(found.begin(), found.end(), [this](const Diagnostic& d) {
+        return d.severity == Severity::error && d.where.file != SourceSpan::nowhere &&
+               session_.sources.name(d.where.file).starts_with("-D ");
+    });
+    if (session_.terminal.show(std::move(found), session_.sources) > 0)
+        throw SceneRejected(is_wrong_use ? ExitCode::usage : ExitCode::scene);
 }
 
 std::size_t pick_camera(const Scene& scene, const std::string& name, const Session& session) {
@@ -114,7 +120,7 @@ std::size_t pick_camera(const Scene& scene, const std::string& name, const Sessi
         Diagnostic missing = missing_parts(scene).front();
         missing.severity = Severity::error;
         session.terminal.show({missing}, session.sources);
-        throw SceneRejected();
+        throw SceneRejected(ExitCode::scene);
     }
     if (name.empty()) return 0;
     std::string names;

@@ -1,6 +1,7 @@
 // What all commands share: the texts read, the terminal, and how a command ends early.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <stdexcept>
 
@@ -21,8 +22,12 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The scene has errors and they have been shown: exit code 3.
-struct SceneRejected : std::exception {};
+/// The scene, or a value that the command line gives to one of its params, has errors, and they
+/// have been shown.
+struct SceneRejected : std::exception {
+    explicit SceneRejected(ExitCode why) : code(why) {}
+    ExitCode code;
+};
 
 /// What the command line asks for.
 using Action = std::function<ExitCode(Session&)>;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -14,7 +16,6 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/our_renderer.h"
 #include "cli/scene_loader.h"
 #include "model/io/file.h"
@@ -102,7 +103,6 @@ class Validations {
     }
 
     ExitCode finish() {
-        const HoldInterrupts hold;
         if (!options_.json.empty()) {
             io::write_file(options_.json, reference::validations_to_json(results_, povray_));
         }

@@ -68,6 +68,26 @@ TEST(Docs, FilesThatPagesNameExist) {
     EXPECT_THAT(missing, testing::IsEmpty());
 }
 
+/// A code block that begins with `// scenes/NAME` quotes that scene, whole.
+TEST(Docs, QuotedScenesAreTheFiles) {
+    std::vector<std::string> wrong;
+    std::size_t seen = 0;
+    for (const fs::path& page : pages()) {
+        const std::string text = read_text(page);
+        for (std::size_t at = 0; (at = text.find("```\n// scenes/", at)) != std::string::npos;) {
+            const std::size_t name = at + 7;
+            const std::size_t body = text.find('\n', name) + 1;
+            const std::size_t end = text.find("```", body);
+            ++seen;
+            const std::string file = text.substr(name, body - 1 - name);
+            if (read_text(root / file) != text.substr(body, end - body)) wrong.push_back(file);
+            at = end + 3;
+        }
+    }
+    EXPECT_GT(seen, 0u);
+    EXPECT_THAT(wrong, testing::IsEmpty());
+}
+
 /// Every `name` in the second column of docs/lineage.md stands in one of the files named beside it.
 TEST(Docs, NamesInTheLineageStandInTheirFiles) {
     std::vector<std::string> missing;
