@@ -167,8 +167,8 @@ ExitCode validate(const ValidateJob& job, Session& session) {
     for (const std::string& path : job.scenes) {
         try {
             jobs.push_back(load(path, job, session));
-        } catch (const SceneRejected&) {
-            worst = std::max(worst, ExitCode::scene);
+        } catch (const SceneRejected& rejected) {
+            worst = std::max(worst, rejected.code);
         } catch (const FileError& error) {
             session.terminal.error(error.what());
             worst = std::max(worst, ExitCode::files);

@@ -60,8 +60,7 @@ class Whitted {
         Vec3<Real> result(0);
         Vec3<Real> through(1);  // what the surfaces and media on the way let pass
         int straight_passes = 0;
-        while (level < world_.settings.max_depth &&
-               weight >= static_cast<Real>(world_.settings.min_contribution)) {
+        while (is_followed(weight, level)) {
             Contact<Real> contact = nearest_contact(world_, ray, start, media);
             if (contact.empty()) {
                 note(none);
@@ -96,6 +95,7 @@ class Whitted {
                 start = {t, false, std::move(touched)};
                 continue;
             }
+            if (!is_followed(weight, level + 1)) return result;
             ++(c.total ? counts.reflected : counts.transmitted);
             const Surface<Real>& front = surfaces.front();
             MediaList next = side(front, c, c.bent) ? media : after;
@@ -105,6 +105,12 @@ class Whitted {
             ++level;
         }
         return result;
+    }
+
+    /// Beyond the limits a ray brings black, so it need not be cast.
+    bool is_followed(Real weight, int level) const {
+        return level < world_.settings.max_depth &&
+               weight >= static_cast<Real>(world_.settings.min_contribution);
     }
 
     using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
@@ -165,7 +171,8 @@ class Whitted {
             if (mirror_weight > 0) {
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
-                ++counts.reflected;
+                if (is_followed(weight * share.weight * mirror_weight, level + 1))
+                    ++counts.reflected;
                 result +=
                     through * share.light * mirror *
                     trace(ray, {0, true, c.touched}, side(s, c, direction) ? c.before : c.after,
