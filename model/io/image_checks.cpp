@@ -1,5 +1,7 @@
 #include "model/io/image_checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "model/io/byte_reader.h"
@@ -23,6 +25,15 @@ std::string jpeg_problem(std::string_view bytes) {
             continue;
         }
         const std::size_t length = byte(at + 2) << 8 | byte(at + 3);
+        if (marker >= 0xC0 && marker <= 0xC2) {  // a frame with Huffman codes
+            const std::uint64_t height = byte(at + 5) << 8 | byte(at + 6);
+            const std::uint64_t width = byte(at + 7) << 8 | byte(at + 8);
+            // Each block of 8 x 8 pixels has a code of a bit or more, in progressive files too.
+            if (width * height / 64 > bytes.size() * 8) {
+                return fmt::format("the file is truncated: {} bytes cannot hold {} x {} pixels",
+                                   bytes.size(), width, height);
+            }
+        }
         at += 2 + length;
         if (marker == 0xDA) {
             // In the scan itself 0xFF is always followed by a zero or a restart marker.

@@ -7,7 +7,7 @@
 namespace lancer::io {
 
 /// Why these bytes are no whole JPEG file; empty when they are. libjpeg itself makes up what is
-/// missing from a truncated one.
+/// missing from a truncated one, however much that is.
 std::string jpeg_problem(std::string_view bytes);
 
 /// Why the header of these bytes is none of an EXR file; empty when it is. OpenEXR trusts the

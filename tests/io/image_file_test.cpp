@@ -258,6 +258,17 @@ TEST(Exr, TakesNoMemoryForAHugeClaim) {
     EXPECT_THAT(error_with(window + 4 + 8, std::string(4, '\xFF')), HasSubstr("no pixels"));
 }
 
+TEST(Jpeg, TakesNoMemoryForAHugeClaim) {
+    const ScratchFolder folder;
+    write_image(folder / "a.jpg", gradient(8, 8, 3), {});
+    std::string bytes = contents(folder / "a.jpg");
+    const std::size_t frame = bytes.find("\xFF\xC0");
+    ASSERT_NE(frame, std::string::npos);
+    bytes.replace(frame + 5, 4, "\x27\x10\x27\x10");  // 10000 x 10000
+    put(folder / "a.jpg", bytes);
+    EXPECT_THAT(file_error([&] { read_image(folder / "a.jpg"); }), HasSubstr("cannot hold"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, Damage,
                          testing::Values(".png", ".ppm", ".exr", ".tif", ".hdr", ".jpg"),
                          [](const auto& name) { return std::string(name.param).substr(1); });
