@@ -147,9 +147,17 @@ class Polygon {
     void classify(std::size_t b) {
         const std::size_t a = previous_[b];
         const std::size_t c = next_[b];
+        const Vec2d &p = flat_[a], &q = flat_[b], &r = flat_[c];
+        const Vec2d low(std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y}));
+        const Vec2d high(std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y}));
+        // Most corners are outside the box of the triangle, which is the faster test.
+        const auto is_blocked_by = [&](std::size_t corner) {
+            const Vec2d& at = flat_[corner];
+            return at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y &&
+                   blocks(corner, a, b, c);
+        };
         is_ear_[b] = turn(a, b, c) > 0 && !is_flat(a, b, c) &&
-                     std::none_of(reflex_.begin(), reflex_.end(),
-                                  [&](std::size_t p) { return blocks(p, a, b, c); });
+                     std::none_of(reflex_.begin(), reflex_.end(), is_blocked_by);
     }
 
     bool cut_spikes(std::size_t at) {
