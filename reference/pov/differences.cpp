@@ -47,7 +47,7 @@ class Search {
 
     std::vector<KnownDifference> run() {
         find_absorption();
-        find_sheets();
+        find_refraction();
         find_recursion();
         find_sizes();
         add(Rule::coincident_surfaces,
@@ -122,10 +122,19 @@ class Search {
             }));
     }
 
-    void find_sheets() {
+    void find_refraction() {
         const auto bends = [](const Traits& t) {
             return t.body && t.passes && t.material->ior != 1;
         };
+        add(Rule::fresnel_nested,
+            "on leaving a body for another one that it is in POV-Ray's Fresnel term takes the "
+            "body's "
+            "own index for both sides and mirrors nothing",
+            all([&](const Traits& t) {
+                return t.body && t.passes && t.material->fresnel &&
+                       t.material->reflection != Color(0, 0, 0) &&
+                       meets_another(t, [](const Traits& o) { return o.body && o.passes; });
+            }));
         add(Rule::sheet_in_medium,
             "POV-Ray bends light at a transparent sheet inside a body, because the sheet's ior is "
             "1",

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "reference/pov/declaration_order.h"
 #include "reference/pov/differences.h"
 #include "reference/pov/window.h"
 #include "reference/pov/writer.h"
@@ -30,6 +31,8 @@ std::string rule_name(KnownDifference::Rule rule) {
             return "absorption-inside";
         case KnownDifference::Rule::absorption_nested:
             return "absorption-nested";
+        case KnownDifference::Rule::fresnel_nested:
+            return "fresnel-nested";
         case KnownDifference::Rule::sheet_in_medium:
             return "sheet-in-medium";
         case KnownDifference::Rule::contribution:
@@ -63,7 +66,7 @@ ExportResult export_pov(const Scene& scene, const ExportView& view, const Export
     writer.text.blank();
     declare_textures(writer);
     writer.text.blank();
-    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) write_object(writer, i);
+    for (const std::uint32_t i : pov::declaration_order(scene, view)) write_object(writer, i);
 
     result.known_differences = pov::known_differences(scene, window);
     if (result.refusals.empty())

@@ -42,6 +42,7 @@ struct KnownDifference {
         absorption_inside,    ///< no absorption on what the inner side of a surface shows
         absorption_nested,    ///< no absorption on a stretch that ends on another body
         sheet_in_medium,      ///< a transparent sheet inside a body bends light
+        fresnel_nested,       ///< no Fresnel reflection on leaving a body inside another
         contribution,         ///< adc_bailout asks for the grey value of what passes as well
         depth_limit,          ///< max_trace_level: at most 256, and at 1 nothing passes through
         small_features,       ///< hits nearer than 1e-4, shadows nearer than 1e-3 are dropped

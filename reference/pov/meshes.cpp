@@ -110,7 +110,8 @@ Vec3d coarse_place(const Mesh& mesh, PowerOfTen own) {
 Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
     Mesh2 out;
     out.shift = coarse_place(mesh, own);
-    for (const Vec3d& p : mesh.vertices) out.vertices.push_back(mesh_vector(own.plainly(p) - out.shift));
+    for (const Vec3d& p : mesh.vertices)
+        out.vertices.push_back(mesh_vector(own.plainly(p) - out.shift));
     for (const Mesh::Corners& face : mesh.faces) out.faces.push_back(Mesh2::corners(face));
     if (smooth) add_normals(out, mesh);
     if (!mesh.uvs.empty()) add_uvs(out, mesh);

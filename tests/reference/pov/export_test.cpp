@@ -163,6 +163,24 @@ TEST(Export, KeepsTheIndexOfAnOpaqueMirrorByFresnel) {
     EXPECT_THAT(text_of(scene), HasSubstr("reflection { rgb 1 fresnel on } conserve_energy"));
 }
 
+TEST(Export, DeclaresWhatHoldsTheCameraFromLargeToSmall) {
+    Scene scene = empty_scene();
+    Material glass;
+    glass.transmission = 1;
+    const std::uint32_t material = add_material(scene, glass);
+    const Vec3d eye = scene.cameras[0].position;
+    add_object(scene, Sphere{eye, 1}, material);
+    add_object(scene, Sphere{eye, 9});  // opaque: no list of POV-Ray's matters
+    add_object(scene, Sphere{eye, 3}, material);
+    add_object(scene, Sphere{{-50, 0, 0}, 4}, material);
+    add_object(scene, Plane{{0, 1, 0}, 7}, material);
+    const std::string text = text_of(scene);
+    std::vector<std::size_t> at;
+    for (const char* shape : {"plane {", "6>, 9", "6>, 3", "0>, 4", "6>, 1"})
+        at.push_back(text.find(shape));
+    EXPECT_TRUE(std::is_sorted(at.begin(), at.end())) << text;
+}
+
 TEST(Export, CastsNoShadowWhereNoneIsAskedFor) {
     Scene scene = empty_scene();
     add_object(scene, Sphere{});
@@ -338,6 +356,23 @@ TEST(KnownDifferences, NameSheetsInsideBodies) {
     EXPECT_TRUE(known(scene, Rule::sheet_in_medium).empty());
     add_object(scene, Sphere{}, material);
     EXPECT_THAT(known(scene, Rule::sheet_in_medium), testing::ElementsAre(1));
+}
+
+TEST(KnownDifferences, NameGlassWithFresnelInsideAnother) {
+    Scene scene = empty_scene();
+    Material glass;
+    glass.transmission = 1;
+    glass.ior = 1.5;
+    glass.reflection = Color(1);
+    glass.fresnel = true;
+    Material water;
+    water.transmission = 1;
+    water.ior = 1.33;
+    add_object(scene, Sphere{{0, 0, 0}, 0.5}, add_material(scene, glass));
+    add_object(scene, Sphere{{0.2, 0, 0}, 0.9});
+    EXPECT_TRUE(known(scene, Rule::fresnel_nested).empty()) << "an opaque one";
+    scene.objects[1].material = add_material(scene, water);
+    EXPECT_THAT(known(scene, Rule::fresnel_nested), testing::ElementsAre(0));
 }
 
 TEST(KnownDifferences, NameTheLimitsOfDepthAndContribution) {
