@@ -31,26 +31,29 @@ Evaluator::Evaluator(Program& program, const Definitions& definitions, const Lim
     meter_.source(sources.text(program.main.source).size(), {program.main.source, 0, 0});
 }
 
-void Evaluator::read_definitions(Report& usage) {
-    // A param of the script called frame or time follows an animation as the built-in ones do.
-    if (definitions_.frame) {
-        const Value value(*definitions_.frame);
-        defined_[program_.symbols.intern("frame")] = {value, true};
-    }
-    if (definitions_.time) {
-        const Value value(*definitions_.time);
-        defined_[program_.symbols.intern("time")] = {value, true};
-    }
+std::vector<std::pair<Symbol, Value>> Evaluator::evaluate_definitions() {
+    std::vector<std::pair<Symbol, Value>> values;
     for (const auto& [name, source] : definitions_.values) {
         ast::File file;
         file.source = sources_.add("-D " + name, source);
-        const ast::Expression expression = read_expression(
-            file, sources_, program_.symbols, program_.vocabulary, meter_.limits().nesting, usage);
-        const Symbol symbol = program_.symbols.intern(name);
-        const bool built_in = name == "frame" || name == "time";
-        Value value = evaluate(file, expression);
+        const ast::Expression expression =
+            read_expression(file, sources_, program_.symbols, program_.vocabulary,
+                            meter_.limits().nesting, report_);
+        values.emplace_back(program_.symbols.intern(name), evaluate(file, expression));
+    }
+    return values;
+}
+
+void Evaluator::define(const std::vector<std::pair<Symbol, Value>>& values) {
+    // A param of the script called frame or time follows an animation as the built-in ones do.
+    if (definitions_.frame)
+        defined_[program_.symbols.intern("frame")] = {Value(*definitions_.frame), true};
+    if (definitions_.time)
+        defined_[program_.symbols.intern("time")] = {Value(*definitions_.time), true};
+    for (const auto& [symbol, value] : values) {
+        const bool built_in = text(symbol) == "frame" || text(symbol) == "time";
         if (built_in && value.is_number()) constants_[symbol] = value.number();
-        defined_[symbol] = {std::move(value), built_in};
+        defined_[symbol] = {value, built_in};
     }
 }
 

@@ -34,8 +34,10 @@ class Evaluator {
     std::vector<std::string> take_printed() { return std::move(printed_); }
     /// Reports what -D said wrong: names that no param has. After run().
     void check_definitions(Report& usage);
-    /// Evaluates what -D says, before run().
-    void read_definitions(Report& usage);
+    /// Values of what -D says; for an evaluator of its own, whose report is about the command line.
+    std::vector<std::pair<Symbol, Value>> evaluate_definitions();
+    /// Gives params these values, before run().
+    void define(const std::vector<std::pair<Symbol, Value>>& values);
 
     // --- For BlockReader
 

@@ -55,7 +55,8 @@ Evaluation evaluate(const Script& script, const Definitions& definitions, const 
     try {
         Evaluator evaluator(*script.program, definitions, limits, sources, report, loader);
         try {
-            evaluator.read_definitions(usage);
+            Evaluator command_line(*script.program, definitions, limits, sources, usage, loader);
+            evaluator.define(command_line.evaluate_definitions());
             evaluator.run();
             evaluator.check_unreached();
             evaluator.check_definitions(usage);
