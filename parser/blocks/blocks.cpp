@@ -1,5 +1,7 @@
 #include "parser/blocks/blocks.h"
 
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "parser/blocks/attributes.h"
@@ -17,6 +19,13 @@ const BlockInfo group{"group",
 }  // namespace blocks
 
 namespace {
+
+template <class... Shapes>
+constexpr bool all_have_blocks(std::type_identity<std::variant<Shapes...>>) {
+    return ((blocks::block_of<Shapes> != nullptr) && ...);
+}
+static_assert(all_have_blocks(std::type_identity<Shape>{}),
+              "every alternative of lancer::Shape needs a block: parser/blocks/blocks.h");
 
 struct Entry {
     const BlockInfo* info;

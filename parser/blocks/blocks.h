@@ -2,6 +2,7 @@
 // each list in blocks.cpp and a file beside it.
 #pragma once
 
+#include "model/shapes.h"
 #include "parser/block_reader.h"
 #include "parser/field.h"
 
@@ -48,5 +49,29 @@ void make_material(BlockReader& block, std::uint32_t& result);
 // texture.cpp
 extern const BlockInfo texture;
 void make_texture(BlockReader& block, std::uint32_t& result);
+
+/// The block that each shape of the model is written as.
+template <class AnyShape>
+inline constexpr const BlockInfo* block_of = nullptr;
+template <>
+inline constexpr const BlockInfo* block_of<Sphere> = &sphere;
+template <>
+inline constexpr const BlockInfo* block_of<Box> = &box;
+template <>
+inline constexpr const BlockInfo* block_of<Cylinder> = &cylinder;
+template <>
+inline constexpr const BlockInfo* block_of<Cone> = &cone;
+template <>
+inline constexpr const BlockInfo* block_of<Plane> = &plane;
+template <>
+inline constexpr const BlockInfo* block_of<Triangle> = &triangle;
+template <>
+inline constexpr const BlockInfo* block_of<MeshRef> = &mesh;
+template <>
+inline constexpr const BlockInfo* block_of<PatchRef> = &patch;
+template <>
+inline constexpr const BlockInfo* block_of<LatheRef> = &lathe;
+template <>
+inline constexpr const BlockInfo* block_of<PrismRef> = &prism;
 
 }  // namespace lancer::blocks

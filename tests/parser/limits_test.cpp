@@ -90,11 +90,14 @@ TEST(Limits, EachIsAnErrorAtItsPlace) {
 }
 
 TEST(Limits, ListsThatShareTheirPartsDoNotExplode) {
+    Limits limits;
+    limits.list_elements = 1'000'000;
     const auto result =
         run("def twice(a, b, n) { if n > 0 { twice([a, a], [b, b], n - 1) } else { print a == b } }"
-            "twice([1, \"x\"], [1, \"x\"], 60)");
+            "twice([1, \"x\"], [1, \"x\"], 60)",
+            {}, {}, limits);
     ASSERT_EQ(result.found.size(), 1u);
-    EXPECT_EQ(result.found.at(0).message, "more than 100000000 list elements made");
+    EXPECT_EQ(result.found.at(0).message, "more than 1000000 list elements made");
 }
 
 }  // namespace
