@@ -142,8 +142,8 @@ class Polygon {
         } while (i != start);
     }
 
-    /// Only the two neighbours of a corner that was cut off can change (ElGindy, Everett and
-    /// Toussaint, Slicing an ear using prune-and-search, 1993), which keeps the whole quadratic.
+    /// Only the two neighbours of a corner that was cut off can change (J. O'Rourke, Computational
+    /// Geometry in C, chapter 1), which keeps the whole quadratic.
     void classify(std::size_t b) {
         const std::size_t a = previous_[b];
         const std::size_t c = next_[b];
