@@ -7,6 +7,7 @@
 #include "model/bodies.h"
 #include "model/diagnostic.h"
 #include "model/plain_color.h"
+#include "model/splines.h"
 #include "tracer/bvh_build.h"
 #include "tracer/mesh_compile.h"
 #include "tracer/primitive_bounds.h"
@@ -143,6 +144,7 @@ class Compiler {
         Solids<Real> solids(scene_, settings_, *world_);
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
             const Object& object = scene_.objects[i];
+            if (is_nothing(object.shape)) continue;
             Primitive<Real> p = solids.make(object, mesh_of(object, meshes));
             p.object = i;
             p.material = object.material;
@@ -166,6 +168,12 @@ class Compiler {
         }
         world_->bounded = static_cast<std::uint32_t>(bounded.size());
         bounded.insert(bounded.end(), unbounded.begin(), unbounded.end());
+    }
+
+    /// A patch that is a single point has no surface.
+    bool is_nothing(const Shape& shape) const {
+        const auto* ref = std::get_if<PatchRef>(&shape);
+        return ref != nullptr && is_single_point(scene_.patches[ref->patch].control);
     }
 
     using MeshTable = std::map<std::uint32_t, const TriangleMesh<Real>*>;

@@ -51,6 +51,27 @@ Bounds<Real> solid_bounds(const MeshInstance<Real>& s) {
     return s.mesh->bvh.bounds;
 }
 
+template <class Real>
+Bounds<Real> solid_bounds(const PatchSolid<Real>& s) {
+    return s.surface->bounds();
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const LatheSolid<Real>& s) {
+    const splines::Curve<Real>& c = s.surface->curve;
+    Bounds<Real> b{Vec3<Real>(-c.max.x, c.min.y, -c.max.x), Vec3<Real>(c.max.x, c.max.y, c.max.x)};
+    b.min = splines::scaled(b.min, c.exponent);
+    b.max = splines::scaled(b.max, c.exponent);
+    return b;
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const PrismSolid<Real>& s) {
+    const splines::Curve<Real>& c = s.surface->curve;
+    return {splines::scaled(Vec3<Real>(c.min.x, s.surface->bottom, c.min.y), c.exponent),
+            splines::scaled(Vec3<Real>(c.max.x, s.surface->top, c.max.y), c.exponent)};
+}
+
 /// The box around the mapped box: centre and half-axes mapped, absolute values summed.
 template <class Real>
 Bounds<Real> mapped(const Bounds<Real>& b, const Affine<Real>& map) {

@@ -89,6 +89,7 @@ class Acceptance {
     /// Shapes that do not divide their start out themselves, because a line meets each face once.
     static bool is_face_by_face(const Primitive<Real>& p) {
         return std::holds_alternative<MeshInstance<Real>>(p.solid) ||
+               std::holds_alternative<PatchSolid<Real>>(p.solid) ||
                std::holds_alternative<TriangleSheet<Real>>(p.solid);
     }
 
@@ -107,7 +108,8 @@ void primitive_crossings(const World<Real>& world, std::uint32_t index, const Ra
         std::visit(
             [&](const auto& solid) {
                 using S = std::decay_t<decltype(solid)>;
-                if constexpr (std::is_same_v<S, MeshInstance<Real>>) {
+                if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
+                              std::is_same_v<S, PatchSolid<Real>>) {
                     crossings(solid, ray, t_min, limit, report);
                 } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
                     TriangleHit<Real> hit;

@@ -70,6 +70,13 @@ class RendererOf final : public Renderer {
             c.triangles += mesh->source->faces.size();
             c.nodes += mesh->bvh.nodes.size();
         }
+        // Of the patches, what rays asked for.
+        for (const auto& patch : world_->patches) {
+            if (const auto* mesh = patch->built()) {
+                c.triangles += mesh->source->faces.size();
+                c.nodes += mesh->bvh.nodes.size();
+            }
+        }
         return c;
     }
 

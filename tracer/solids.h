@@ -2,10 +2,16 @@
 // nothing.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
 
 #include "model/diagnostic.h"
+#include "model/splines.h"
 #include "tracer/scale.h"
+#include "tracer/splines/tessellate.h"
 #include "tracer/world.h"
 
 namespace lancer {
@@ -27,24 +33,19 @@ class Solids {
         const int own = own_exponent(object);
         const Affine<Real> map = scaled_map(m, own);
         Primitive<Real> p;
-        std::visit(
-            [&](const auto& shape) {
-                if constexpr (requires { solid(shape, own, map, mesh, p); }) {
-                    p.solid = solid(shape, own, map, mesh, p);
-                } else {
-                    throw SceneError(object.place, "spline surfaces are not rendered yet");
-                }
-            },
-            object.shape);
+        object_ = &object;
+        std::visit([&](const auto& shape) { p.solid = solid(shape, own, map, mesh, p); },
+                   object.shape);
         return p;
     }
 
     /// The shape's own coordinates are scaled by 2^own, those of the world by 2^scale.
     int own_exponent(const Object& object) const {
         const bool identity = scene_.transforms[object.transform] == Affine<double>{};
-        return identity && !std::holds_alternative<MeshRef>(object.shape)
-                   ? world_.scale_exponent
-                   : exponent_for(extent_of(object.shape, scene_));
+        const bool is_mesh = std::holds_alternative<MeshRef>(object.shape) ||
+                             std::holds_alternative<PatchRef>(object.shape);
+        return identity && !is_mesh ? world_.scale_exponent
+                                    : exponent_for(extent_of(object.shape, scene_));
     }
 
   private:
@@ -118,7 +119,7 @@ class Solids {
         BoxSolid<Real> box{point(b.min, own), point(b.max, own)};
         if (is_identity(map)) return box;
         // One number in each row and column: axes go to axes.
-        BoxSolid<Real> moved;
+        BoxSolid<Real> moved = box;
         bool along_axes = true;
         for (int i = 0; i < 3; ++i) {
             const Vec3<Real>& row = map.rows[static_cast<std::size_t>(i)];
@@ -224,9 +225,65 @@ class Solids {
         return MeshInstance<Real>{mesh, ref.smooth && settings_.smooth};
     }
 
+    Solid<Real> solid(const PatchRef& ref, int own, const Affine<Real>& map,
+                      const TriangleMesh<Real>*, Primitive<Real>& p) {
+        if (!is_identity(map)) add_frame(map, p);
+        const auto tolerance = own_tolerance(ref);
+        auto& surface = patches_[{ref.patch, own, tolerance}];
+        if (surface == nullptr) {
+            if (!splines::is_within_limit(scene_.patches[ref.patch], tolerance))
+                throw SceneError(object_->place,
+                                 "this patch would need more than 50 million triangles to stay "
+                                 "within its tolerance");
+            world_.patches.push_back(std::make_unique<PatchSurface<Real>>(
+                scene_.patches[ref.patch], tolerance, own, settings_.smooth));
+            surface = world_.patches.back().get();
+        }
+        return PatchSolid<Real>{surface, settings_.smooth};
+    }
+
+    /// The tolerance of a patch in its own space: the strictest of what is asked of it. That of the
+    /// settings is in world units; a shape's own holds in both, so that no reading of it is broken.
+    std::optional<double> own_tolerance(const PatchRef& ref) const {
+        const double stretch = largest_stretch(scene_.transforms[object_->transform]);
+        std::optional<double> tolerance;
+        if (settings_.tolerance) tolerance = *settings_.tolerance / stretch;
+        if (const auto own = scene_.patches[ref.patch].tolerance) {
+            const double strict = *own / std::max(stretch, 1.0);
+            tolerance = std::min(strict, tolerance.value_or(strict));
+        }
+        return tolerance;
+    }
+
+    Solid<Real> solid(const LatheRef& ref, int own, const Affine<Real>& map,
+                      const TriangleMesh<Real>*, Primitive<Real>& p) {
+        if (!is_identity(map)) add_frame(map, p);
+        const Lathe& lathe = scene_.lathes[ref.lathe];
+        auto surface = std::make_unique<splines::Revolution<Real>>(
+            splines::make_revolution<Real>(profile_curve(lathe.spline, lathe.profile)));
+        surface->curve.exponent += own;
+        world_.revolutions.push_back(std::move(surface));
+        return LatheSolid<Real>{world_.revolutions.back().get()};
+    }
+
+    Solid<Real> solid(const PrismRef& ref, int own, const Affine<Real>& map,
+                      const TriangleMesh<Real>*, Primitive<Real>& p) {
+        if (!is_identity(map)) add_frame(map, p);
+        const Prism& prism = scene_.prisms[ref.prism];
+        auto surface = std::make_unique<splines::Extrusion<Real>>(splines::make_extrusion<Real>(
+            outline_curve(prism.spline, prism.outline), prism.bottom, prism.top, prism.capped));
+        surface->curve.exponent += own;
+        world_.extrusions.push_back(std::move(surface));
+        return PrismSolid<Real>{world_.extrusions.back().get(), own};
+    }
+
     const Scene& scene_;
     const Settings& settings_;
     World<Real>& world_;
+    const Object* object_ = nullptr;  ///< the one being made
+    /// Patches that stand in several places are tessellated once for each tolerance.
+    std::map<std::tuple<std::uint32_t, int, std::optional<double>>, const PatchSurface<Real>*>
+        patches_;
 };
 
 }  // namespace lancer

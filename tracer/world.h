@@ -11,8 +11,11 @@
 #include "tracer/bvh.h"
 #include "tracer/shapes/box.h"
 #include "tracer/shapes/frustum.h"
+#include "tracer/shapes/lathe.h"
 #include "tracer/shapes/mesh.h"
+#include "tracer/shapes/patch.h"
 #include "tracer/shapes/plane.h"
+#include "tracer/shapes/prism.h"
 #include "tracer/shapes/sphere.h"
 #include "tracer/shapes/triangle.h"
 #include "tracer/textures/seat.h"
@@ -22,7 +25,8 @@ namespace lancer {
 /// The tracer's own closed list of shapes, derived from `Shape` by compile.
 template <class Real>
 using Solid = std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
-                           TriangleSheet<Real>, MeshInstance<Real>>;
+                           TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>,
+                           LatheSolid<Real>, PrismSolid<Real>>;
 
 template <class Real>
 struct Primitive {
@@ -86,6 +90,9 @@ struct World {
     std::vector<std::uint32_t>
         mediums;  ///< primitives that are media: largest box first, then declaration
     std::vector<std::unique_ptr<TriangleMesh<Real>>> meshes;
+    std::vector<std::unique_ptr<PatchSurface<Real>>> patches;
+    std::vector<std::unique_ptr<splines::Revolution<Real>>> revolutions;
+    std::vector<std::unique_ptr<splines::Extrusion<Real>>> extrusions;
     std::vector<std::array<Vec3<Real>, 3>> corner_normals;  ///< unit, in the primitive's space
     std::vector<Finish<Real>> finishes;
     std::vector<Pattern<Real>> textures;               ///< in the order of Scene::textures

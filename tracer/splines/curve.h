@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "model/splines.h"
@@ -131,6 +132,21 @@ std::size_t start_crossing(const Crossings& found, bool body, bool inside) {
         if (best == found.size() || abs(found[i].t) < abs(found[best].t)) best = i;
     }
     return best;
+}
+
+/// The curve parameter of the crossing nearest to t; `otherwise` when there is none.
+template <class Crossings, class Real>
+Real nearest(const Crossings& found, Real t, Real otherwise) {
+    using std::abs;
+    Real s = otherwise;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const auto& c : found) {
+        if (abs(c.t - t) < least) {
+            least = abs(c.t - t);
+            s = c.s;
+        }
+    }
+    return s;
 }
 
 /// The largest absolute value of the components.

@@ -70,64 +70,102 @@ bool outline_contains(const Curve<Real>& curve, Real x, Real z) {
     return inside;
 }
 
+/// A line in the curve's scale, its start slid along itself to near the surface.
+template <class Real>
+struct ExtrusionLine {
+    Vec3<Real> origin;
+    Vec3<Real> dir;
+    int unit;         ///< dir is the given one times 2^-unit
+    Real slide;       ///< t of `origin`
+    Real horizontal;  ///< length of (dir.x, dir.z)
+    Real place;       ///< bound on the line's displacement by rounding
+};
+
+template <class Real>
+ExtrusionLine<Real> extrusion_line(const Extrusion<Real>& surface, const Vec3<Real>& origin,
+                                   const Vec3<Real>& dir, Real origin_error) {
+    using std::sqrt;
+    const Curve<Real>& curve = surface.curve;
+    const int unit = direction_exponent(dir);
+    ExtrusionLine<Real> line{scaled(origin, -curve.exponent), scaled(dir, -unit), unit, 0, 0, 0};
+    const Vec3<Real> center((curve.min.x + curve.max.x) / 2, (surface.bottom + surface.top) / 2,
+                            (curve.min.y + curve.max.y) / 2);
+    const Vec3<Real> away = line.origin - center;
+    const Real far = reach(away);
+    line.place =
+        std::ldexp(origin_error, -curve.exponent) + gamma<Real>(4) * (reach(line.origin) + far + 8);
+    if (far > 4) {
+        line.slide = -dot(away, line.dir) / dot(line.dir, line.dir);
+        line.origin += line.slide * line.dir;
+    }
+    line.horizontal = sqrt(line.dir.x * line.dir.x + line.dir.z * line.dir.z);
+    return line;
+}
+
+/// Crossings of a line that is not vertical with the endless cylinder over the outline, in order
+/// along it. t is that of the scaled line.
+template <class Real>
+ExtrusionCrossings<Real> endless_crossings(const Extrusion<Real>& surface,
+                                           const ExtrusionLine<Real>& line) {
+    using std::abs;
+    using std::sqrt;
+    const Curve<Real>& curve = surface.curve;
+    const Real hx = line.dir.x / line.horizontal;
+    const Real hz = line.dir.z / line.horizontal;
+    const Real speed = sqrt(dot(line.dir, line.dir));
+    const Real widest = sqrt(line.place * 4 + line.place * line.place) / speed;
+    ExtrusionCrossings<Real> sides;
+    const auto add = [&](std::uint32_t segment, const Root<Real>& root) {
+        const Vec2<Real> on = sample(curve, segment, root.s).point;
+        const Real way = hx * (on.x - line.origin.x) + hz * (on.y - line.origin.z);
+        const Vec2<Real> tangent = direction(curve, segment, root.s);
+        const Real normal = sqrt(tangent.x * tangent.x + tangent.y * tangent.y);
+        const Real approach =
+            normal > 0 ? line.horizontal * abs(hx * tangent.y - hz * tangent.x) / normal : Real(0);
+        CurveCrossing<Real> hit{way / line.horizontal + line.slide, 0, segment, root.s, false};
+        hit.error = approach * widest > line.place ? line.place / approach : widest;
+        hit.error += gamma<Real>(4) * (abs(hit.t) + abs(line.slide));
+        sides.push_back(hit);
+    };
+    outline_roots(curve, line.origin.x, line.origin.z, hx, hz, add);
+    std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) {
+        if (x.t != y.t) return x.t < y.t;
+        return x.segment != y.segment ? x.segment < y.segment : x.s < y.s;
+    });
+    for (std::size_t i = 0; i < sides.size(); ++i) sides[i].entering = i % 2 == 0;
+    return sides;
+}
+
+/// The crossings of a line with one side, caps or no caps.
+template <class Real>
+ExtrusionCrossings<Real> side_crossings(const Extrusion<Real>& surface, const Vec3<Real>& origin,
+                                        const Vec3<Real>& dir, Real origin_error,
+                                        std::uint32_t segment) {
+    const ExtrusionLine<Real> line = extrusion_line(surface, origin, dir, origin_error);
+    ExtrusionCrossings<Real> found;
+    if (!(line.horizontal > 0)) return found;
+    for (CurveCrossing<Real> c : endless_crossings(surface, line)) {
+        if (c.segment != segment) continue;
+        c.t = std::ldexp(c.t, surface.curve.exponent - line.unit);
+        found.push_back(c);
+    }
+    return found;
+}
+
 /// All crossings of a line with the surface, in order along it. `origin` and `dir` are in the
 /// shape's own space.
 template <class Real>
-ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Real>& origin_,
-                                   const Vec3<Real>& dir_, Real origin_error,
+ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Real>& origin,
+                                   const Vec3<Real>& dir, Real origin_error,
                                    const KnownStart& start = {}) {
     using std::abs;
-    using std::sqrt;
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const Curve<Real>& curve = surface.curve;
-    const int unit = direction_exponent(dir_);
-    Vec3<Real> origin = scaled(origin_, -curve.exponent);
-    const Vec3<Real> dir = scaled(dir_, -unit);
-
-    Real slide = 0;
-    const Vec3<Real> center((curve.min.x + curve.max.x) / 2, (surface.bottom + surface.top) / 2,
-                            (curve.min.y + curve.max.y) / 2);
-    const Vec3<Real> away = origin - center;
-    const Real far = reach(away);
-    if (far > 4) {
-        slide = -dot(away, dir) / dot(dir, dir);
-        origin += slide * dir;
-    }
-    const Real place = std::ldexp(origin_error, -curve.exponent) +
-                       gamma<Real>(4) * (reach(scaled(origin_, -curve.exponent)) + far + 8);
-    const Real speed = sqrt(dot(dir, dir));
-    const Real horizontal = sqrt(dir.x * dir.x + dir.z * dir.z);
-
-    // The endless cylinder over the outline.
-    ExtrusionCrossings<Real> sides;
-    bool inside_always = false;
-    if (horizontal > 0) {
-        const Real hx = dir.x / horizontal;
-        const Real hz = dir.z / horizontal;
-        const Real widest = sqrt(place * 4 + place * place) / speed;
-        outline_roots(
-            curve, origin.x, origin.z, hx, hz, [&](std::uint32_t i, const Root<Real>& root) {
-                const CurveSample<Real> at = sample(curve, i, root.s);
-                const Real way = hx * (at.point.x - origin.x) + hz * (at.point.y - origin.z);
-                const Vec2<Real> tangent = direction(curve, i, root.s);
-                const Real normal = sqrt(tangent.x * tangent.x + tangent.y * tangent.y);
-                const Real approach =
-                    normal > 0 ? horizontal * abs(hx * tangent.y - hz * tangent.x) / normal
-                               : Real(0);
-                CurveCrossing<Real> hit{way / horizontal + slide, 0, i, root.s, false};
-                hit.error = approach * widest > place ? place / approach : widest;
-                hit.error += gamma<Real>(4) * (abs(hit.t) + abs(slide));
-                sides.push_back(hit);
-            });
-        std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) {
-            if (x.t != y.t) return x.t < y.t;
-            return x.segment != y.segment ? x.segment < y.segment : x.s < y.s;
-        });
-        for (std::size_t i = 0; i < sides.size(); ++i) sides[i].entering = i % 2 == 0;
-    } else {
-        inside_always = outline_contains(curve, origin.x, origin.z);
-        if (!inside_always) return {};
-    }
+    const ExtrusionLine<Real> line = extrusion_line(surface, origin, dir, origin_error);
+    ExtrusionCrossings<Real> found;
+    const bool vertical = !(line.horizontal > 0);
+    if (vertical && !outline_contains(curve, line.origin.x, line.origin.z)) return found;
+    auto sides = vertical ? ExtrusionCrossings<Real>{} : endless_crossings(surface, line);
     std::size_t start_side = sides.size();
     if (start.face < curve.segments()) {
         start_side = start_crossing(sides, surface.capped, start.inside);
@@ -137,27 +175,27 @@ ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Re
     // The slab between the caps.
     CurveCrossing<Real> slab_in{-infinity, 0, surface.bottom_face(), 0, true};
     CurveCrossing<Real> slab_out{infinity, 0, surface.top_face(), 0, false};
-    if (dir.y == 0) {
-        if (origin.y < surface.bottom || origin.y > surface.top) return {};
+    if (line.dir.y == 0) {
+        if (line.origin.y < surface.bottom || line.origin.y > surface.top) return found;
     } else {
         const auto cap = [&](Real height, std::uint32_t face, bool entering) {
-            CurveCrossing<Real> c{(height - origin.y) / dir.y + slide, 0, face, 0, entering};
+            CurveCrossing<Real> c{(height - line.origin.y) / line.dir.y + line.slide, 0, face, 0,
+                                  entering};
             if (start.face == face) c.t = 0;
-            c.error = place / abs(dir.y) + gamma<Real>(4) * (abs(c.t) + abs(slide));
+            c.error = line.place / abs(line.dir.y) + gamma<Real>(4) * (abs(c.t) + abs(line.slide));
             return c;
         };
-        const bool up = dir.y > 0;
+        const bool up = line.dir.y > 0;
         slab_in = up ? cap(surface.bottom, surface.bottom_face(), true)
                      : cap(surface.top, surface.top_face(), true);
         slab_out = up ? cap(surface.top, surface.top_face(), false)
                       : cap(surface.bottom, surface.bottom_face(), false);
     }
 
-    ExtrusionCrossings<Real> found;
     const auto report = [&](CurveCrossing<Real> c) {
         if (start.face == c.segment && c.t == 0) return;
-        c.t = std::ldexp(c.t, curve.exponent - unit);
-        c.error = std::ldexp(c.error, curve.exponent - unit);
+        c.t = std::ldexp(c.t, curve.exponent - line.unit);
+        c.error = std::ldexp(c.error, curve.exponent - line.unit);
         found.push_back(c);
     };
     if (!surface.capped) {
@@ -168,7 +206,7 @@ ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Re
         }
         return found;
     }
-    if (inside_always) {
+    if (vertical) {
         report(slab_in);
         report(slab_out);
         return found;

@@ -46,22 +46,17 @@ class PatchMesher {
           place_(place),
           mesh_(mesh) {}
 
-    /// False when it would pass the limit.
-    bool build(std::uint64_t limit) {
-        if (border_ == std::array{1, 1, 1, 1} && is_flat()) {
-            const Ring corners = border_ring();
-            emit(corners[0][0], corners[0][1], corners[1][1]);
-            emit(corners[0][0], corners[1][1], corners[2][1]);
-            return true;
+    void build() {
+        const Ring outer = border_ring();
+        if (border_ == std::array{1, 1, 1, 1} &&
+            chord_error(curvature_.over(0, 1, 0, 1), 1, 1) <= tolerance_) {
+            emit(outer[0][0], outer[0][1], outer[1][1]);
+            emit(outer[0][0], outer[1][1], outer[2][1]);
+            return;
         }
         GridSize n = grid_size(curvature_, tolerance_);
         n = {std::max(n.u, 2), std::max(n.v, 2)};
-        const double triangles =
-            2.0 * n.u * n.v + border_[0] + border_[1] + border_[2] + border_[3];
-        if (triangles + static_cast<double>(mesh_.faces.size()) > static_cast<double>(limit))
-            return false;
-        const Ring outer = border_ring();
-        return join(outer, 0.0, grid(n), 1.0, n, 0);
+        join(outer, 0.0, grid(n), 1.0, n, 0);
     }
 
   private:
@@ -111,9 +106,6 @@ class PatchMesher {
         for (std::size_t k = 0; k < 4; ++k) ring[k].push_back(ring[(k + 1) % 4].front());
     }
 
-    /// Two triangles are enough.
-    bool is_flat() const { return chord_error(curvature_.over(0, 1, 0, 1), 1, 1) <= tolerance_; }
-
     /// The inside of the grid; returns the ring around it.
     Ring grid(const GridSize& n) {
         const auto columns = static_cast<std::size_t>(n.u - 1);
@@ -154,18 +146,17 @@ class PatchMesher {
     /// Fills the space between two rings, with further rings where one strip would break the
     /// promise: near a border that is much straighter than the inside, step by step. A ring at f
     /// lies at u = f/n, v = f/n from the border, so 0 is the border and 1 the grid.
-    bool join(const Ring& outer, double f_outer, const Ring& inner, double f_inner,
+    void join(const Ring& outer, double f_outer, const Ring& inner, double f_inner,
               const GridSize& n, int depth) {
         std::vector<std::array<Corner, 3>> triangles;
         bool kept = true;
-        for (std::size_t k = 0; k < 4 && kept; ++k) {
-            kept = strip(outer[k], inner[k], k, f_inner, n, triangles);
+        for (std::size_t k = 0; k < 4; ++k) {
+            kept = strip(outer[k], inner[k], k, f_inner, n, triangles) && kept;
         }
-        if (kept) {
+        if (kept || depth > ring_limit) {
             for (const auto& t : triangles) emit(t[0], t[1], t[2]);
-            return true;
+            return;
         }
-        if (depth > ring_limit) return false;
         const double f = f_outer == 0 ? f_inner / 4 : std::sqrt(f_outer * f_inner);
         Ring middle;
         const double u0 = f / n.u;
@@ -183,8 +174,8 @@ class PatchMesher {
             }
         }
         close(middle);
-        return join(outer, f_outer, middle, f, n, depth + 1) &&
-               join(middle, f, inner, f_inner, n, depth + 1);
+        join(outer, f_outer, middle, f, n, depth + 1);
+        join(middle, f, inner, f_inner, n, depth + 1);
     }
 
     /// The triangles between two rows of one side; false when one breaks the promise.
@@ -197,6 +188,7 @@ class PatchMesher {
         const auto middle = [&](const std::vector<Corner>& row, std::size_t i) {
             return along(row[i]) + along(row[i + 1]);
         };
+        bool kept = true;
         std::size_t i = 0;
         std::size_t j = 0;
         while (i + 1 < outer.size() || j + 1 < inner.size()) {
@@ -206,10 +198,10 @@ class PatchMesher {
                                                 ? std::array{outer[i], outer[i + 1], inner[j]}
                                                 : std::array{outer[i], inner[j + 1], inner[j]};
             (outer_next ? i : j) += 1;
-            if (!bounds.hold(t, along, tolerance_)) return false;
+            kept = kept && bounds.hold(t, along, tolerance_);
             triangles.push_back(t);
         }
-        return true;
+        return kept;
     }
 
     /// Second derivatives along a strip beside one side, in four stretches.
@@ -261,35 +253,70 @@ int border_steps(const Vec3d& p0, const Vec3d& p1, const Vec3d& p2, const Vec3d&
     return curve_steps(p0, p1, p2, p3, border_share * *tolerance);
 }
 
+/// A net in units of its size, in which squares of lengths stay in range.
+struct ScaledNet {
+    BezierNet net;
+    int exponent;                     ///< the net's own points are these times 2^exponent
+    std::optional<double> tolerance;  ///< as given
+    double inside;                    ///< the tolerance that holds
+
+    ScaledNet(const Patch& patch, std::optional<double> given) : net(bezier_net(patch)) {
+        const double size = hull_diagonal(patch);
+        exponent = std::ilogb(size);
+        for (Vec3d& p : net.points) p = scaled(p, -exponent);
+        if (given) tolerance = std::ldexp(*given, -exponent);
+        inside = tolerance.value_or(std::ldexp(size, -exponent) / 2000);
+    }
+
+    static Vec3d scaled(const Vec3d& p, int exponent) {
+        return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    }
+    std::array<int, 4> border(const BezierPatch& p) const {
+        return {border_steps(p[0], p[1], p[2], p[3], tolerance),
+                border_steps(p[3], p[7], p[11], p[15], tolerance),
+                border_steps(p[15], p[14], p[13], p[12], tolerance),
+                border_steps(p[12], p[8], p[4], p[0], tolerance)};
+    }
+};
+
 }  // namespace
+
+bool is_within_limit(const Patch& patch, std::optional<double> tolerance) {
+    if (is_single_point(patch.control)) return true;
+    const ScaledNet scaled(patch, tolerance);
+    double triangles = 0;
+    for (std::size_t i = 0; i < scaled.net.rows; ++i) {
+        for (std::size_t j = 0; j < scaled.net.columns; ++j) {
+            const BezierPatch p = scaled.net.patch(i, j);
+            for (const int steps : scaled.border(p)) triangles += steps;
+            const Curvature curvature(p);
+            // As if the whole patch were as curved as its worst part; looked at closely when in
+            // doubt.
+            double cells = chord_error(curvature.over(0, 1, 0, 1), 1, 1) / scaled.inside;
+            if (!(2 * cells < 1e6)) {
+                const GridSize n = grid_size(curvature, scaled.inside);
+                cells = static_cast<double>(n.u) * n.v;
+            }
+            triangles += 2 * cells;
+        }
+    }
+    return triangles <= static_cast<double>(triangle_limit);
+}
 
 std::optional<Mesh> tessellate(const Patch& patch, std::optional<double> tolerance) {
     if (is_single_point(patch.control)) return Mesh{};
-    // In units of the surface's size: squares of lengths stay in range.
-    const double size = hull_diagonal(patch);
-    const int exponent = std::ilogb(size);
-    BezierNet net = bezier_net(patch);
-    for (Vec3d& p : net.points) {
-        p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
-    }
-    if (tolerance) tolerance = std::ldexp(*tolerance, -exponent);
-    const double inside = tolerance.value_or(std::ldexp(size, -exponent) / 2000);
-
+    if (!is_within_limit(patch, tolerance)) return std::nullopt;
+    const ScaledNet scaled(patch, tolerance);
+    const BezierNet& net = scaled.net;
     Mesh mesh;
     for (std::size_t i = 0; i < net.rows; ++i) {
         for (std::size_t j = 0; j < net.columns; ++j) {
             const BezierPatch p = net.patch(i, j);
-            const std::array<int, 4> border{border_steps(p[0], p[1], p[2], p[3], tolerance),
-                                            border_steps(p[3], p[7], p[11], p[15], tolerance),
-                                            border_steps(p[15], p[14], p[13], p[12], tolerance),
-                                            border_steps(p[12], p[8], p[4], p[0], tolerance)};
-            PatchMesher mesher(p, inside, border, {i, j, net.rows, net.columns}, mesh);
-            if (!mesher.build(triangle_limit)) return std::nullopt;
+            PatchMesher(p, scaled.inside, scaled.border(p), {i, j, net.rows, net.columns}, mesh)
+                .build();
         }
     }
-    for (Vec3d& p : mesh.vertices) {
-        p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-    }
+    for (Vec3d& p : mesh.vertices) p = ScaledNet::scaled(p, scaled.exponent);
     return mesh;
 }
 

@@ -23,8 +23,11 @@ inline constexpr std::uint64_t triangle_limit = 50'000'000;
 /// (Without a tolerance, a border curve is measured against its own control points, whatever
 /// surface it belongs to.)
 ///
-/// Nothing when it would take more than triangle_limit triangles. An empty mesh when all points are
+/// Nothing when it is not is_within_limit(). An empty mesh when all points are
 /// equal.
 std::optional<Mesh> tessellate(const Patch& patch, std::optional<double> tolerance);
+
+/// Whether tessellate() needs at most about triangle_limit triangles. Quick.
+bool is_within_limit(const Patch& patch, std::optional<double> tolerance);
 
 }  // namespace lancer::splines

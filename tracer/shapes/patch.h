@@ -1,0 +1,78 @@
+// Patches: triangles that stand in for the surface, made when the first ray comes near it.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "model/shapes.h"
+#include "tracer/bounds.h"
+#include "tracer/shapes/mesh.h"
+
+namespace lancer {
+
+/// A patch or net of the scene with its tolerance. What no ray comes near is never tessellated; the
+/// result does not depend on who asks first.
+template <class Real>
+class PatchSurface {
+  public:
+    /// \param tolerance  in the patch's own space; see splines::tessellate()
+    /// \param exponent   its triangles are the patch's own times 2^exponent
+    PatchSurface(Patch patch, std::optional<double> tolerance, int exponent, bool smooth);
+
+    /// Safe from many threads: one builds, the others wait.
+    const TriangleMesh<Real>& mesh() const {
+        const TriangleMesh<Real>* ready = ready_.load(std::memory_order_acquire);
+        return ready != nullptr ? *ready : build();
+    }
+    /// The mesh if anybody asked for it yet.
+    const TriangleMesh<Real>* built() const { return ready_.load(std::memory_order_acquire); }
+
+    /// Of the control points, which hold the surface and its triangles.
+    const Bounds<Real>& bounds() const { return bounds_; }
+
+  private:
+    const TriangleMesh<Real>& build() const;
+
+    Patch patch_;
+    std::optional<double> tolerance_;
+    int exponent_;
+    bool smooth_;
+    Bounds<Real> bounds_;
+    mutable std::mutex building_;
+    mutable std::unique_ptr<const TriangleMesh<Real>> mesh_;
+    mutable std::atomic<const TriangleMesh<Real>*> ready_{nullptr};
+};
+
+/// One place where a patch stands. Faces are those of its mesh.
+template <class Real>
+struct PatchSolid {
+    const PatchSurface<Real>* surface;
+    bool smooth;
+
+    MeshInstance<Real> instance() const { return {&surface->mesh(), smooth}; }
+};
+
+template <class Real, class Limit, class Report>
+void crossings(const PatchSolid<Real>& patch, const Ray<Real>& ray, Real t_min, Limit&& limit,
+               Report&& report) {
+    crossings(patch.instance(), ray, t_min, limit, report);
+}
+
+/// The point at weights u, v of a face, with the surface's parameters (linear within the triangle).
+template <class Real>
+SurfacePoint<Real> patch_point(const PatchSolid<Real>& patch, std::uint32_t face, Real u, Real v) {
+    const MeshInstance<Real> instance = patch.instance();
+    const Mesh& mesh = *instance.mesh->source;
+    SurfacePoint<Real> p = triangle_point(instance.mesh->triangle(face), u, v);
+    p.shading = shading_normal(instance, face, u, v, p.normal);
+    const auto at = [&](std::size_t i) {
+        const Vec2d& uv = mesh.uvs[mesh.faces[face][i]];
+        return Vec2<Real>(static_cast<Real>(uv.x), static_cast<Real>(uv.y));
+    };
+    p.parameter = (1 - u - v) * at(0) + u * at(1) + v * at(2);
+    return p;
+}
+
+}  // namespace lancer

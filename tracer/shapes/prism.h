@@ -1,0 +1,64 @@
+// Prisms: a true outline drawn up along y, met without a mesh in between.
+#pragma once
+
+#include "tracer/ray.h"
+#include "tracer/splines/extrusion.h"
+
+namespace lancer {
+
+/// One place where a prism stands. Faces are the segments of its outline, then bottom and top.
+template <class Real>
+struct PrismSolid {
+    const splines::Extrusion<Real>* surface;  ///< its curve's exponent is from this solid's space
+    int unit = 0;  ///< this solid's space is the shape's own times 2^unit
+};
+
+template <class Real, class Report>
+void crossings(const PrismSolid<Real>& prism, const Ray<Real>& ray, const Known& known,
+               Report&& report) {
+    const splines::KnownStart start{known.start_face, known.inside};
+    const auto found = splines::crossings(*prism.surface, start_from(ray, Vec3<Real>(0)), ray.dir,
+                                          ray.origin_error, start);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        Crossing<Real> c{found[i].t, found[i].error, found[i].segment, found[i].entering};
+        if (c.entering && i + 1 < found.size()) c.chord = found[i + 1].t - c.t;
+        report(c);
+    }
+}
+
+/// The crossing's point, put back onto its face. Sides: u along the outline, v from bottom to top;
+/// caps: (x, z).
+template <class Real>
+SurfacePoint<Real> surface_point(const PrismSolid<Real>& prism, const Ray<Real>& ray, Real t,
+                                 std::uint32_t face) {
+    const splines::Extrusion<Real>& surface = *prism.surface;
+    const splines::Curve<Real>& curve = surface.curve;
+    const Vec3<Real> start = start_from(ray, Vec3<Real>(0));
+    const Vec3<Real> near = splines::scaled(start + t * ray.dir, -curve.exponent);
+    SurfacePoint<Real> p;
+    p.anchor = Vec3<Real>(0);
+    p.error = std::ldexp(gamma<Real>(16), curve.exponent);
+    if (face >= curve.segments()) {
+        const bool top = face == surface.top_face();
+        p.offset = splines::scaled(Vec3<Real>(near.x, top ? surface.top : surface.bottom, near.z),
+                                   curve.exponent);
+        p.normal = Vec3<Real>(0, top ? 1 : -1, 0);
+        p.parameter =
+            Vec2<Real>(std::ldexp(p.offset.x, -prism.unit), std::ldexp(p.offset.z, -prism.unit));
+    } else {
+        const Real s = splines::nearest(
+            splines::side_crossings(surface, start, ray.dir, ray.origin_error, face), t, Real(0.5));
+        const Vec2<Real> on = splines::sample(curve, face, s).point;
+        const Vec2<Real> tangent = splines::direction(curve, face, s) * surface.outward;
+        p.offset = splines::scaled(Vec3<Real>(on.x, near.y, on.y), curve.exponent);
+        p.normal =
+            tangent == Vec2<Real>(0) ? Vec3<Real>(1, 0, 0) : Vec3<Real>(tangent.y, 0, -tangent.x);
+        p.parameter =
+            Vec2<Real>((static_cast<Real>(face) + s) / static_cast<Real>(curve.segments()),
+                       (near.y - surface.bottom) / (surface.top - surface.bottom));
+    }
+    p.shading = p.normal;
+    return p;
+}
+
+}  // namespace lancer
