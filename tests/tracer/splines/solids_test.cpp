@@ -216,7 +216,10 @@ TEST(SplineSolids, ToleranceIsInWorldUnits) {
         stage.scene.settings.tolerance = scene;
         stage.scene.patches.push_back(patch);
         stage.add(PatchRef{0}, Material{});
-        return compile(stage.scene, stage.scene.settings)->counts().triangles;
+        const auto renderer = compile(stage.scene, stage.scene.settings);
+        EXPECT_EQ(renderer->counts().triangles, 0u);  // no ray has come near it yet
+        renderer->render({0, 16, 16, {}, false}, {}, stage.counts);
+        return renderer->counts().triangles;
     };
     EXPECT_EQ(triangles(16, {}, 0.16), triangles(1, {}, 0.01));
     EXPECT_GT(triangles(16, {}, 0.01), 8 * triangles(1, {}, 0.01));
