@@ -19,7 +19,7 @@ template <class Real>
 struct BvhNode {
     std::array<std::array<Real, 4>, 3> min;
     std::array<std::array<Real, 4>, 3> max;
-    std::array<std::uint32_t, 4> child;  ///< a node, or the first item of a leaf
+    std::array<std::uint32_t, 4> child;  ///< a node, or the first item of a leaf; none: empty slot
     std::array<std::uint32_t, 4> count;  ///< items in the leaf; 0: an inner node
 };
 
@@ -92,7 +92,7 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
         // Insertion sort, farthest first, straight into the stack.
         const int base = top;
         for (std::size_t c = 0; c < 4; ++c) {
-            if (!(near[c] <= far[c])) continue;
+            if (!(near[c] <= far[c]) || node.child[c] == none) continue;
             int at = top++;
             while (at > base && stack[static_cast<std::size_t>(at)].near < near[c]) {
                 stack[static_cast<std::size_t>(at + 1)] = stack[static_cast<std::size_t>(at)];

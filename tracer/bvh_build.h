@@ -143,7 +143,7 @@ struct Builder {
         }
         for (std::size_t c = 0; c < 4; ++c) {
             const Bounds<Real> box = c < parts ? widened(bounds(part[c])) : Bounds<Real>{};
-            std::uint32_t child = c < parts ? part[c].first : 0;
+            std::uint32_t child = c < parts ? part[c].first : none;
             std::uint32_t count = c < parts ? part[c].count : 0;
             if (count > leaf_size) {
                 count = 0;
@@ -169,7 +169,7 @@ struct Builder {
         const auto offset = static_cast<std::uint32_t>(nodes.size());
         for (BvhNode<Real>& node : more) {
             for (std::size_t c = 0; c < 4; ++c) {
-                const bool inner = node.count[c] == 0 && node.min[0][c] <= node.max[0][c];
+                const bool inner = node.count[c] == 0 && node.child[c] != none;
                 if (inner) node.child[c] += offset;
             }
             nodes.push_back(node);

@@ -211,9 +211,11 @@ class Compiler {
         for (std::uint32_t i = 0; i < world_->bounded; ++i) {
             const Primitive<Real>& p = world_->primitives[i];
             const Bounds<Real> box = bounds_of(*world_, p);
-            if (!is_finite(box.min) || !is_finite(box.max))
-                throw SceneError(scene_.objects[p.object].place,
-                                 "this shape leaves the range of the chosen precision");
+            // Squares of sizes must stay in the number type's range.
+            const bool vanishes =
+                size_of(p.solid) < 16 * std::sqrt(std::numeric_limits<Real>::min());
+            if (vanishes || !is_finite(box.min) || !is_finite(box.max))
+                throw SceneError(scene_.objects[p.object].place, out_of_range);
             boxes.push_back(box);
         }
         world_->bvh = build_bvh(boxes, 2, threads_);

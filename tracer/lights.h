@@ -1,6 +1,7 @@
 // What a light sends to a point, before shadows.
 #pragma once
 
+#include "tracer/rounding.h"
 #include "tracer/world.h"
 
 namespace lancer {
@@ -18,7 +19,7 @@ Illumination<Real> illuminate(const LightSource<Real>& light, const Vec3<Real>& 
     using Kind = typename LightSource<Real>::Kind;
     if (light.kind == Kind::directional)
         return {light.direction, std::numeric_limits<Real>::infinity(), light.color};
-    const Vec3<Real> way = (light.position - point) - point_lo;
+    const Vec3<Real> way = -difference(point, point_lo, light.position);
     const Real longest = max_component(absolute(way));
     if (!(longest > 0)) return {Vec3<Real>(0), 0, Vec3<Real>(0)};  // the light stands on the point
     const Vec3<Real> scaled = way / longest;  // its square neither overflows nor vanishes

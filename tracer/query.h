@@ -74,6 +74,9 @@ class Acceptance {
                              : s.face == c.face && s.entering == c.entering)
                 return false;
         }
+        // What the ray has just left it cannot enter again at the same place: a convex solid never,
+        // another only farther on. Else a slab thinner than the bound would be entered for ever.
+        if (same_primitive && c.entering && (is_convex(p) || !(ahead > c.error))) return false;
         if (p.medium && world_.has_media) {
             if (contains(media_, primitive) == c.entering) return false;
         } else if (!(ahead > c.error)) {
@@ -91,6 +94,13 @@ class Acceptance {
         return std::holds_alternative<MeshInstance<Real>>(p.solid) ||
                std::holds_alternative<PatchSolid<Real>>(p.solid) ||
                std::holds_alternative<TriangleSheet<Real>>(p.solid);
+    }
+
+    static bool is_convex(const Primitive<Real>& p) {
+        return std::holds_alternative<BallSolid<Real>>(p.solid) ||
+               std::holds_alternative<BoxSolid<Real>>(p.solid) ||
+               std::holds_alternative<FrustumSolid<Real>>(p.solid) ||
+               std::holds_alternative<HalfSpace<Real>>(p.solid);
     }
 
     const World<Real>& world_;

@@ -63,11 +63,19 @@ Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const 
     return ray;
 }
 
-/// The ray's start relative to `point`. Exact up to one rounding where the two are near each other,
-/// however far both are from the origin of the world.
+/// The ray's start relative to `point`.
 template <class Real>
 Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
-    return (ray.origin - point) + ray.origin_lo;
+    return difference(ray.origin, ray.origin_lo, point);
+}
+
+/// The same with what its rounding left over.
+template <class Real>
+VectorSum<Real> start_sum(const Ray<Real>& ray, const Vec3<Real>& point) {
+    const VectorSum<Real> d = two_sum(ray.origin, -point);
+    const Vec3<Real> rest = d.lo + ray.origin_lo;
+    const Vec3<Real> sum = d.hi + rest;
+    return {sum, rest - (sum - d.hi)};
 }
 
 /// One of the surfaces of a contact: which face of which primitive, crossed in which sense.
@@ -107,6 +115,7 @@ struct SurfacePoint {
     Vec3<Real> normal;     ///< geometric, outward; any length but 0
     Vec3<Real> shading;    ///< interpolated where the shape does so, else = normal
     Vec2<Real> parameter;  ///< face-dependent: barycentrics of a triangle, parameters of a spline
+    Vec3<Real> rest{0};    ///< a small third part of the point, where two do not hold it
 };
 
 /// An object's own space, for shapes that a world-space primitive cannot express.
@@ -116,17 +125,21 @@ struct Frame {
     Affine<Real> linear_inverse;  ///< the linear part's inverse; `shift` is 0
     Real norm;                    ///< largest absolute row sum of the linear part
     Real inverse_norm;            ///< the same of the inverse
+    Real placed = 0;  ///< bound on how far rounding moved what stands in this space, in the world
 };
 
 /// The ray in the frame's space, with the same parameter t.
 template <class Real>
 Ray<Real> to_local(const Ray<Real>& ray, const Frame<Real>& frame) {
-    const Vec3<Real> start = start_from(ray, frame.to_world.shift);
-    // Three products and two sums a component, on the rounded difference.
-    const Vec3<Real> size = absolute(start);
-    const Real error =
-        frame.inverse_norm * (ray.origin_error + gamma<Real>(4) * max_component(size));
-    return make_ray(map_vector(frame.linear_inverse, start), Vec3<Real>(0),
+    // Both parts of the start are kept: a power of two for a map, or none, then loses nothing.
+    const VectorSum<Real> start = two_sum(ray.origin, -frame.to_world.shift);
+    const Vec3<Real> low = start.lo + ray.origin_lo;
+    // Three products and two sums a component, on rounded entries.
+    const Vec3<Real> size = absolute(start.hi);
+    const Real error = frame.inverse_norm *
+                       (ray.origin_error + frame.placed + gamma<Real>(6) * max_component(size));
+    return make_ray(map_vector(frame.linear_inverse, start.hi),
+                    map_vector(frame.linear_inverse, low),
                     map_vector(frame.linear_inverse, ray.dir), error);
 }
 

@@ -57,6 +57,15 @@ Real signed_difference_of_products(Real a, Real b, Real c, Real d) {
     return two_product(a, b).lo - two_product(c, d).lo;
 }
 
+/// Bounds |sqrt(x) - sqrt(y)| for |x - y| <= w, x >= 0, y >= 0: w / (sqrt(x) + sqrt(y)), where y >=
+/// x
+/// - w. Far from 0 (x > 4 w) the sum is at least 1.86 sqrt(x).
+template <class Real>
+Real chord_error(Real w, Real x) {
+    using std::sqrt;
+    return x > 4 * w ? Real(0.54) * w / sqrt(x) : sqrt(w);
+}
+
 /// A vector as an unevaluated sum: places keep the digits that one rounding would take from them.
 template <class Real>
 struct VectorSum {
@@ -70,6 +79,14 @@ VectorSum<Real> two_sum(const Vec3<Real>& a, const Vec3<Real>& b) {
     const Sum<Real> y = two_sum(a.y, b.y);
     const Sum<Real> z = two_sum(a.z, b.z);
     return {{x.hi, y.hi, z.hi}, {x.lo, y.lo, z.lo}};
+}
+
+/// (hi + lo) - point, the exact difference rounded once, to within u^2. So it is the same wherever
+/// both stand, as long as their coordinates are representable there.
+template <class Real>
+Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>& lo, const Vec3<Real>& point) {
+    const VectorSum<Real> d = two_sum(hi, -point);
+    return d.hi + (d.lo + lo);
 }
 
 }  // namespace lancer

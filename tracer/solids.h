@@ -16,6 +16,23 @@
 
 namespace lancer {
 
+/// What a shape is told whose numbers cannot be computed with beside those of the scene.
+inline constexpr const char* out_of_range =
+    "this shape is too large or too small, beside the rest of the scene, for the chosen precision";
+
+/// The largest measure of a solid in its own space; infinite where none can be too small.
+template <class Real>
+Real size_of(const Solid<Real>& solid) {
+    if (const auto* ball = std::get_if<BallSolid<Real>>(&solid)) return ball->radius;
+    if (const auto* box = std::get_if<BoxSolid<Real>>(&solid))
+        return max_component(Vec3<Real>(box->max - box->min));
+    if (const auto* f = std::get_if<FrustumSolid<Real>>(&solid)) {
+        const Real large = f->radius + f->slope * f->height;
+        return f->height < large ? f->height : large;
+    }
+    return std::numeric_limits<Real>::infinity();
+}
+
 /// Makes the tracer's solids, and the frames of those that stay in a space of their own.
 ///
 /// A similarity (turn, mirror, even scale, shift) is baked into a sphere, cylinder, cone; any map
@@ -60,6 +77,15 @@ class Solids {
 
     static bool is_identity(const Affine<Real>& map) { return map == Affine<Real>{}; }
 
+    /// Whether the linear part is a power of two times the identity, which rounds nothing.
+    static bool is_scale_by_two(const Affine<Real>& map) {
+        int exponent = 0;
+        const Real factor = map.rows[0].x;
+        if (std::abs(std::frexp(factor, &exponent)) != Real(0.5)) return false;
+        return map.rows[0] == Vec3<Real>(factor, 0, 0) && map.rows[1] == Vec3<Real>(0, factor, 0) &&
+               map.rows[2] == Vec3<Real>(0, 0, factor);
+    }
+
     /// The factor of a similarity, or 0 for any other map: all columns of one length and at right
     /// angles, as far as rounding lets one see.
     static Real similarity(const Affine<Real>& map) {
@@ -96,9 +122,38 @@ class Solids {
         frame.linear_inverse = convert<Real>(inverse(linear));
         frame.linear_inverse.shift = Vec3<Real>(0);
         frame.norm = row_sum(map);
+        // A shift as written is exact; one that was composed with turns and scales is rounded.
+        Affine<Real> unshifted = map;
+        unshifted.shift = Vec3<Real>(0);
+        if (!is_scale_by_two(unshifted))
+            frame.placed = gamma<Real>(4) * max_component(absolute(map.shift));
         frame.inverse_norm = row_sum(frame.linear_inverse);
+        // Squares of mapped directions must stay in the number type's range.
+        const Real least = 16 * std::sqrt(std::numeric_limits<Real>::min());
+        if (!(frame.norm > least && frame.inverse_norm * least < 1))
+            throw SceneError(object_->place, out_of_range);
         p.frame = static_cast<std::uint32_t>(world_.frames.size());
         world_.frames.push_back(frame);
+    }
+
+    /// How far rounding may have moved these points: not at all where a shift alone is exact; else
+    /// as far as the map's own rounded numbers and the 4 operations per component allow.
+    static Real moved_by(const Affine<Real>& map, std::initializer_list<Vec3<Real>> points) {
+        const bool only_shift = is_scale_by_two(map);
+        Real most = 0;
+        for (const Vec3<Real>& p : points) {
+            for (int i = 0; i < 3; ++i) {
+                using std::abs;
+                const Real lost =
+                    only_shift
+                        ? abs(two_sum(map.shift[i], map.rows[0].x * p[i]).lo)
+                        : gamma<Real>(8) *
+                              (dot(absolute(map.rows[static_cast<std::size_t>(i)]), absolute(p)) +
+                               abs(map.shift[i]));
+                if (lost > most) most = lost;
+            }
+        }
+        return most;
     }
 
     static Vec3<Real> point(const Vec3d& p, int own) { return convert<Real>(scaled(p, own)); }
@@ -106,20 +161,22 @@ class Solids {
 
     Solid<Real> solid(const Sphere& s, int own, const Affine<Real>& map, const TriangleMesh<Real>*,
                       Primitive<Real>& p) {
-        BallSolid<Real> ball{point(s.center, own), number(s.radius, own)};
+        BallSolid<Real> ball{point(s.center, own), number(s.radius, own), Real(0)};
         if (is_identity(map)) return ball;
         if (const Real factor = similarity(map); factor > 0)
-            return BallSolid<Real>{map_point(map, ball.center), ball.radius * factor};
+            return BallSolid<Real>{map_point(map, ball.center), ball.radius * factor,
+                                   moved_by(map, {ball.center, Vec3<Real>(ball.radius)})};
         add_frame(map, p);
         return ball;
     }
 
     Solid<Real> solid(const Box& b, int own, const Affine<Real>& map, const TriangleMesh<Real>*,
                       Primitive<Real>& p) {
-        BoxSolid<Real> box{point(b.min, own), point(b.max, own)};
+        BoxSolid<Real> box{point(b.min, own), point(b.max, own), Real(0)};
         if (is_identity(map)) return box;
         // One number in each row and column: axes go to axes.
         BoxSolid<Real> moved = box;
+        moved.placed = moved_by(map, {box.min, box.max});
         bool along_axes = true;
         for (int i = 0; i < 3; ++i) {
             const Vec3<Real>& row = map.rows[static_cast<std::size_t>(i)];
@@ -148,8 +205,10 @@ class Solids {
         Vec3<Real> large = point(base_is_small ? top : base, own);
         Real small_radius = number(base_is_small ? base_radius : top_radius, own);
         Real large_radius = number(base_is_small ? top_radius : base_radius, own);
+        Real placed = 0;
         if (!is_identity(map)) {
             if (const Real factor = similarity(map); factor > 0) {
+                placed = moved_by(map, {small, large, Vec3<Real>(large_radius)});
                 small = map_point(map, small);
                 large = map_point(map, large);
                 small_radius *= factor;
@@ -159,6 +218,7 @@ class Solids {
             }
         }
         FrustumSolid<Real> f;
+        f.placed = placed;
         f.small_end = small;
         f.large_end = large;
         const Vec3<Real> along = large - small;
@@ -169,6 +229,7 @@ class Solids {
         f.radius = small_radius;
         f.slope = (large_radius - small_radius) / f.height;
         f.capped = capped;
+        f.tilted = (along.x != 0) + (along.y != 0) + (along.z != 0) != 1;
         return f;
     }
 
@@ -186,12 +247,12 @@ class Solids {
         const Vec3<Real> n =
             normalize(convert<Real>(plane.normal / max_component(absolute(plane.normal))));
         const Vec3<Real> on = n * number(plane.offset, own);
-        if (is_identity(map)) return HalfSpace<Real>{n, on};
+        if (is_identity(map)) return HalfSpace<Real>{n, on, Real(0)};
         Affine<long double> linear = convert<long double>(map);
         linear.shift = Vec3<long double>(0);
         const Vec3<long double> turned = map_transposed(inverse(linear), convert<long double>(n));
         return HalfSpace<Real>{convert<Real>(normalize(turned / max_component(absolute(turned)))),
-                               map_point(map, on)};
+                               map_point(map, on), moved_by(map, {on})};
     }
 
     Solid<Real> solid(const Triangle& t, int own, const Affine<Real>& map,
@@ -216,7 +277,11 @@ class Solids {
             p.corner_normals = static_cast<std::uint32_t>(world_.corner_normals.size());
             world_.corner_normals.push_back(normals);
         }
-        return TriangleSheet<Real>{corner(0), corner(1), corner(2)};
+        return TriangleSheet<Real>{
+            corner(0), corner(1), corner(2),
+            identity ? Real(0)
+                     : moved_by(map, {point(t.points[0], own), point(t.points[1], own),
+                                      point(t.points[2], own)})};
     }
 
     Solid<Real> solid(const MeshRef& ref, int, const Affine<Real>& map,

@@ -86,7 +86,7 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const
         local = local_point(world, primitive, ray, hit);
         const VectorSum<Real> place = two_sum(local.anchor, local.offset);
         s.position = place.hi;
-        s.position_lo = place.lo;
+        s.position_lo = place.lo + local.rest;
         s.error = local.error;
         s.geometric = unit(local.normal);
         s.normal = unit(local.shading);

@@ -9,6 +9,7 @@ template <class Real>
 struct BoxSolid {
     Vec3<Real> min;
     Vec3<Real> max;
+    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
 /// Faces are numbered 2 axis + (0 at min, 1 at max).
@@ -28,10 +29,12 @@ void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Known& kno
     Crossing<Real> in{-infinity, 0, 0, true};
     Crossing<Real> out{infinity, 0, 0, false};
     bool started_in = false;
+    const Vec3<Real> from_min = start_from(ray, box.min);
+    const Vec3<Real> from_max = start_from(ray, box.max);
     for (int axis = 0; axis < 3; ++axis) {
         const Real d = ray.dir[axis];
-        const Real to_min = (box.min[axis] - ray.origin[axis]) - ray.origin_lo[axis];
-        const Real to_max = (box.max[axis] - ray.origin[axis]) - ray.origin_lo[axis];
+        const Real to_min = -from_min[axis];
+        const Real to_max = -from_max[axis];
         if (d == 0) {
             if ((to_min > 0 || to_max < 0) && !known.inside) return;
             continue;
@@ -42,7 +45,7 @@ void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Known& kno
         const Real inv = ray.inv_dir[axis];
         Real near = (forward ? to_min : to_max) * inv;
         Real far = (forward ? to_max : to_min) * inv;
-        const Real place = ray.origin_error * abs(inv);
+        const Real place = (ray.origin_error + box.placed) * abs(inv);
         if (known.start_face == near_face) {
             near = 0;
             started_in = true;

@@ -17,6 +17,8 @@ struct FrustumSolid {
     Real radius;  ///< of the smaller end, >= 0
     Real slope;   ///< >= 0
     bool capped;
+    bool tilted = true;  ///< false: the axis is one of the coordinate axes
+    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
 namespace frustum_face {
@@ -66,7 +68,6 @@ bool mantle_span(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frustu
     const Real rate = f.slope * line.dir_axial;
     const Real d_length = sqrt(dd);
     const Real qa = (d_length - rate) * (d_length + rate);
-    const Real place = ray.origin_error + gamma<Real>(6) * length(line.start);
     const bool on_mantle = known.start_face == frustum_face::mantle;
 
     Real slide = 0;
@@ -76,30 +77,41 @@ bool mantle_span(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frustu
         if (!(slide < slab_out)) slide = slab_out;
         if (!(abs(slide) < std::numeric_limits<Real>::infinity())) slide = 0;
     }
+    // What rounding moves the line by, across the axis. The part along an axis is taken out twice,
+    // of the start and of the direction, and each leaves some 8 roundings of the whole; where the
+    // axis is a coordinate axis it is taken out exactly, and only the last difference is rounded.
+    // The radius is rounded at the size of its terms.
+    Real place =
+        ray.origin_error + f.placed + gamma<Real>(4) * (length(line.start_perp) + f.radius);
+    if (f.tilted) place += gamma<Real>(16) * length(line.start);
+    if (f.slope != 0)
+        place += gamma<Real>(6) * f.slope * (abs(line.start_axial) + abs(slide * line.dir_axial));
     const Vec3<Real> o = line.start_perp + slide * line.dir_perp;
     const Real radius = f.radius + f.slope * (line.start_axial + slide * line.dir_axial);
     const Real qb = dot(o, line.dir_perp) - radius * rate;
 
-    Real root = 0;  // half the distance of the roots, times qa
+    Real discriminant = 0;
+    // The root that was divided by qa inherits the rounding of qa, which is a difference.
+    Real divided = std::numeric_limits<Real>::infinity();
     Real low = 0;
     Real high = 0;
     if (on_mantle) {
         const Real other = qa != 0 ? -2 * qb / qa : std::numeric_limits<Real>::infinity();
         low = other < 0 ? other : 0;
         high = other < 0 ? 0 : other;
-        root = abs(qb);
+        divided = other;
     } else {
         const Real o_length = length(o);
         const Real qc = (o_length - abs(radius)) * (o_length + abs(radius));
         const Real v = length(radius * line.dir_perp - rate * o);
         const Real moment = abs(dot(f.axis, cross(o, line.dir_perp)));
-        Real discriminant = (v - moment) * (v + moment);
+        discriminant = (v - moment) * (v + moment);
         if (discriminant < 0) {
             // A line steeper than the mantle meets it always.
             if (qa > 0 && !known.inside) return false;
             discriminant = 0;
         }
-        root = sqrt(discriminant);
+        const Real root = sqrt(discriminant);
         const Real q = -(qb + copysign(root, qb));
         if (q == 0) {
             if (qa == 0 && qc > 0 && !known.inside) return false;
@@ -108,23 +120,34 @@ bool mantle_span(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frustu
         } else {
             const Real r0 = qa != 0 ? q / qa : copysign(std::numeric_limits<Real>::infinity(), q);
             const Real r1 = qc / q;
+            divided = r0;
             low = r0 < r1 ? r0 : r1;
             high = r0 < r1 ? r1 : r0;
         }
+        divided += slide;
         low += slide;
         high += slide;
     }
 
     const auto error_at = [&](Real t) {
+        // A displacement by `place` changes qa t^2 + 2 qb t + qc by up to w at the root, hence the
+        // discriminant by |qa| w; a root by w over twice the derivative, or near a tangent by the
+        // half chord that it adds. From a start on the mantle the other root is -2 qb / qa.
         const Real size =
-            abs(f.radius + f.slope * (line.start_axial + t * line.dir_axial)) * (1 + f.slope) +
-            place;
-        // A displacement by `place` moves the root by place / cosine, and at a tangent by the half
-        // chord that it adds.
-        Real along = sqrt(2 * place * size + place * place) / d_length;
-        const Real steep = place * size;
-        if (steep < along * root) along = steep / root;
-        return along + gamma<Real>(6) * abs(t);
+            abs(f.radius + f.slope * (line.start_axial + t * line.dir_axial)) * (1 + f.slope);
+        const Real w = place * (2 * size + place);
+        const Real steep = abs(qa);
+        Real along = 0;
+        if (on_mantle)
+            along = 2 * place * (d_length + abs(rate)) / steep;
+        else
+            along = discriminant > 4 * steep * w ? Real(0.54) * w / sqrt(discriminant)
+                                                 : sqrt(w / steep);
+        if (t == divided) {
+            const Real terms = d_length + abs(rate);
+            along += gamma<Real>(4) * (terms * terms / steep) * abs(t - slide);
+        }
+        return along + gamma<Real>(6) * (abs(t) + abs(slide));
     };
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     in = {-infinity, 0, frustum_face::mantle, true};
@@ -172,18 +195,21 @@ void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& k
         if ((to_small > 0 || to_large < 0) && !certainly_inside) return;
     } else {
         const bool forward = line.dir_axial > 0;
-        const Real small_error =
-            ray.origin_error + gamma<Real>(3) * dot(absolute(f.axis), absolute(line.start));
-        const Real large_error =
-            ray.origin_error + gamma<Real>(3) * dot(absolute(f.axis), absolute(from_large));
+        const Real small_error = ray.origin_error + f.placed +
+                                 gamma<Real>(4) * dot(absolute(f.axis), absolute(line.start));
+        const Real large_error = ray.origin_error + f.placed +
+                                 gamma<Real>(4) * dot(absolute(f.axis), absolute(from_large));
+        // The direction along the axis is rounded at the size of its terms.
+        const Real rate_error = gamma<Real>(3) * dot(absolute(f.axis), absolute(ray.dir));
         Crossing<Real> small{to_small / line.dir_axial, small_error / abs(line.dir_axial),
                              frustum_face::small_cap, forward};
         Crossing<Real> large{to_large / line.dir_axial, large_error / abs(line.dir_axial),
                              frustum_face::large_cap, !forward};
         if (known.start_face == frustum_face::small_cap) small.t = 0;
         if (known.start_face == frustum_face::large_cap) large.t = 0;
-        small.error += gamma<Real>(3) * abs(small.t);
-        large.error += gamma<Real>(3) * abs(large.t);
+        const Real relative = gamma<Real>(2) + rate_error / abs(line.dir_axial);
+        small.error += relative * abs(small.t);
+        large.error += relative * abs(large.t);
         slab_in = forward ? small : large;
         slab_out = forward ? large : small;
         if (f.capped && known.start_face == slab_in.face) certainly_inside = true;

@@ -22,7 +22,7 @@ struct TriangleMesh {
 
     TriangleSheet<Real> triangle(std::uint32_t face) const {
         const Mesh::Corners& corner = source->faces[face];
-        return {vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]};
+        return {vertices[corner[0]], vertices[corner[1]], vertices[corner[2]], Real(0)};
     }
 };
 

@@ -9,6 +9,7 @@ template <class Real>
 struct HalfSpace {
     Vec3<Real> normal;  ///< unit length, out of the half space
     Vec3<Real> point;   ///< on the plane
+    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
 template <class Real, class Report>
@@ -21,11 +22,13 @@ void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& k
     const Vec3<Real> rel = start_from(ray, half.point);
     const Real height = dot(half.normal, rel);
     const Real t = -height / slope;
-    // The dot product is rounded at the size of its terms, which for a normal along an axis is
-    // the height itself.
+    // Both dot products are rounded at the size of their terms, which for a normal along an axis is
+    // their own.
     const Real size = dot(absolute(half.normal), absolute(rel));
-    const Real error =
-        (ray.origin_error + gamma<Real>(4) * size) / abs(slope) + gamma<Real>(3) * abs(t);
+    const Real error = (ray.origin_error + half.placed + gamma<Real>(4) * size +
+                        gamma<Real>(3) * abs(t) * dot(absolute(half.normal), absolute(ray.dir))) /
+                           abs(slope) +
+                       gamma<Real>(2) * abs(t);
     report(Crossing<Real>{t, error, 0, slope < 0});
 }
 
@@ -33,10 +36,21 @@ void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& k
 template <class Real>
 SurfacePoint<Real> surface_point(const HalfSpace<Real>& half, const Ray<Real>& ray, Real t,
                                  std::uint32_t /*face*/) {
-    Vec3<Real> offset = start_from(ray, half.point) + t * ray.dir;
+    // Along an axis that lies in the plane the anchor may slide to where the ray starts: the offset
+    // is then small and keeps its digits however far all this is from the origin.
+    Vec3<Real> anchor = half.point;
+    for (int i = 0; i < 3; ++i) {
+        if (half.normal[i] == 0) anchor[i] = ray.origin[i];
+    }
+    Vec3<Real> rest(0);
+    Vec3<Real> offset = start_from(ray, anchor);
+    for (int i = 0; i < 3; ++i) {
+        if (half.normal[i] == 0) std::swap(rest[i], offset[i]);
+    }
+    offset += t * ray.dir;
     offset -= dot(half.normal, offset) * half.normal;
     const Real error = gamma<Real>(4) * dot(absolute(half.normal), absolute(offset));
-    return {half.point, offset, error, half.normal, half.normal, Vec2<Real>(0)};
+    return {anchor, offset, error, half.normal, half.normal, Vec2<Real>(0), rest};
 }
 
 }  // namespace lancer

@@ -9,6 +9,7 @@ template <class Real>
 struct BallSolid {
     Vec3<Real> center;
     Real radius;
+    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
 /// Reports the two crossings of the line with the sphere.
@@ -23,13 +24,16 @@ void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& k
     using std::abs;
     using std::copysign;
     using std::sqrt;
-    const Vec3<Real> f = -start_from(ray, ball.center);
+    const VectorSum<Real> from_center = start_sum(ray, ball.center);
+    const Vec3<Real> f = -from_center.hi;
     Real middle = dot(f, ray.dir) / ray.dir_squared;
     const Real ray_length = sqrt(ray.dir_squared);
+    const Real start_error = ray.origin_error + ball.placed;
     if (known.start_face != none) {
         // One root is 0, so the other is twice the middle (Vieta).
         const Real t = 2 * middle;
-        const Real error = gamma<Real>(8) * abs(t) + 2 * ray.origin_error / ray_length;
+        const Real size = dot(absolute(f), absolute(ray.dir));
+        const Real error = (gamma<Real>(8) * size / ray_length + 2 * start_error) / ray_length;
         report(Crossing<Real>{t, error, 0, t < 0});
         return;
     }
@@ -45,35 +49,61 @@ void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& k
     }
     const Real half = sqrt(inner / ray.dir_squared);
 
-    // The root nearer to 0 as c/q, so that it is not lost to cancellation.
-    const Real f_length = length(f);
-    const Real c = (f_length - ball.radius) * (f_length + ball.radius);
+    // The root nearer to 0 as c/q, so that it is not lost to cancellation. c = |f|^2 - r^2 takes
+    // the largest component of f together with r and with its low part: over a giant ball the
+    // height of the start is then a difference without error.
+    const Vec3<Real> size = absolute(f);
+    const int m = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const Real low = f[m] > 0 ? -from_center.lo[m] : from_center.lo[m];
+    const Real high = ((size[m] - ball.radius) + low) * (size[m] + ball.radius);
+    const Real aside =
+        size[(m + 1) % 3] * size[(m + 1) % 3] + size[(m + 2) % 3] * size[(m + 2) % 3];
     const Real q = middle + copysign(half, middle);
     Real t_in = middle - half;
     Real t_out = middle + half;
+    Real near = 0;
     if (q != 0) {
-        const Real near = c / (q * ray.dir_squared);
+        near = (high + aside) / (q * ray.dir_squared);
         (q > 0 ? t_in : t_out) = near;
     }
     if (t_in > t_out) t_in = t_out = middle;
 
-    // The centre's and the origin's difference, and l, are rounded at the size of f; how far that
-    // moves a root depends on the angle at which the line meets the sphere, but never by more than
-    // the half chord that the same error adds to a tangent.
-    const Real place = ray.origin_error + gamma<Real>(3) * f_length + gamma<Real>(3) * ball.radius;
-    const Real cosine = half * ray_length / ball.radius;
-    Real along = sqrt(2 * place * ball.radius + place * place);
-    if (place < along * cosine) along = place / cosine;
-    along /= ray_length;
-    report(Crossing<Real>{t_in, along + gamma<Real>(3) * abs(t_in), 0, true, t_out - t_in});
-    report(Crossing<Real>{t_out, along + gamma<Real>(3) * abs(t_out), 0, false});
+    // f and l are rounded at the size of f, which moves the line by `place` from the centre or
+    // towards it, and r^2 - |l|^2, the square of the half chord h, by w = 2 place r + place^2. The
+    // half chord then changes by at most w / (h + sqrt(h^2 - w)), or by sqrt(w) near a tangent.
+    const Real f_sum = size.x + size.y + size.z;
+    const Real place = start_error + gamma<Real>(3) * f_sum + gamma<Real>(2) * ball.radius;
+    const Real w = place * (2 * ball.radius + place);
+    const Real q_error = (chord_error(w, inner) + place) / ray_length + gamma<Real>(4) * abs(q);
+    // c / q inherits the relative error of q, and that of c.
+    Real near_error = q_error;
+    if (q != 0) {
+        const Real c_error = gamma<Real>(5) * (abs(high) + aside) + 2 * start_error * f_sum;
+        near_error =
+            (c_error / ray.dir_squared + abs(near) * q_error) / abs(q) + gamma<Real>(3) * abs(near);
+    }
+    const bool in_is_near = q > 0;
+    report(Crossing<Real>{t_in, in_is_near ? near_error : q_error, 0, true, t_out - t_in});
+    report(Crossing<Real>{t_out, in_is_near ? q_error : near_error, 0, false});
 }
 
-/// The crossing's point, put back onto the sphere.
+/// The crossing's point, put back onto the sphere; or, next to a giant one, taken from the ray,
+/// when that is nearer to it than a radius can be rounded.
 template <class Real>
 SurfacePoint<Real> surface_point(const BallSolid<Real>& ball, const Ray<Real>& ray, Real t,
                                  std::uint32_t /*face*/) {
-    const Vec3<Real> normal = normalize(start_from(ray, ball.center) + t * ray.dir);
+    using std::sqrt;
+    const Vec3<Real> from_center = start_from(ray, ball.center);
+    const Vec3<Real> normal = normalize(from_center + t * ray.dir);
+    const Real way = t * t * ray.dir_squared;
+    const Real scale = ball.radius / 1024;
+    if (way < scale * scale) {
+        const Vec3<Real> squares = from_center * from_center;
+        const Real aside = squares.x + squares.y + squares.z - max_component(squares);
+        const Real error = gamma<Real>(8) * (sqrt(way) + aside / ball.radius) + ray.origin_error;
+        if (error < gamma<Real>(6) * ball.radius)
+            return {ray.origin, t * ray.dir, error, normal, normal, Vec2<Real>(0), ray.origin_lo};
+    }
     return {ball.center, ball.radius * normal, gamma<Real>(6) * ball.radius, normal,
             normal,      Vec2<Real>(0)};
 }

@@ -10,6 +10,7 @@ struct TriangleSheet {
     Vec3<Real> a;
     Vec3<Real> b;
     Vec3<Real> c;
+    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
 template <class Real>
@@ -20,6 +21,39 @@ struct TriangleHit {
     Real v;         ///< weight of c
     bool entering;  ///< against the normal (b - a) x (c - a)
 };
+
+/// A bound on the error of t, which is the sum of three:
+/// - the corners' places relative to the start, rounded once, and the shear's rounding of them act
+///   as if the corner were moved by E. That moves the plane at the hit by at most |n|.E, and t by
+///   this over |n.d|, where n.d = det / d_z, because the shear keeps volumes;
+/// - the two products of an edge value err by 2u of their sizes, which shifts the weights and thus
+/// t
+///   by their distance in z from the hit;
+/// - the weighted mean of the corners' z errs by a few u of its terms.
+template <class Real>
+Real triangle_error(const Ray<Real>& ray, Real placed, const Vec3<Real>& a, const Vec3<Real>& b,
+                    const Vec3<Real>& c, Real det, Real t, const Vec3<Real>& products,
+                    const Vec3<Real>& z) {
+    using std::abs;
+    const Shear<Real>& s = ray.shear;
+    const Vec3<Real> n = absolute(cross(b - a, c - a));
+    Vec3<Real> size = absolute(a);
+    for (const Vec3<Real>& corner : {absolute(b), absolute(c)}) {
+        for (int i = 0; i < 3; ++i) size[i] = corner[i] > size[i] ? corner[i] : size[i];
+    }
+    // Relative to the start: one rounding. Sheared: quotient, product, difference, and the quotient
+    // once more where it takes part as the ray's direction.
+    const Real along = size[s.z];
+    const Real moved = n[s.x] * (2 * size[s.x] + 4 * abs(s.sx) * along) +
+                       n[s.y] * (2 * size[s.y] + 4 * abs(s.sy) * along) + n[s.z] * along;
+    const Real by_start = (ray.origin_error + placed) * (n.x + n.y + n.z);
+    const Real weights = products.x * (abs(z.x - t) + abs(z.x)) +
+                         products.y * (abs(z.y - t) + abs(z.y)) +
+                         products.z * (abs(z.z - t) + abs(z.z));
+    return ((unit_roundoff<Real> * moved + by_start) * abs(s.sz) + gamma<Real>(4) * weights) /
+               abs(det) +
+           gamma<Real>(3) * abs(t);
+}
 
 /// Watertight: of two triangles that share an edge, a line that passes between their other corners
 /// hits at least one, because both form the same products at the shared edge and zero counts as
@@ -50,20 +84,11 @@ bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, Triang
     const Real cz = s.sz * c[s.z];
     const Real t = (u * az + v * bz + w * cz) / det;
 
-    // The weights have one sign, so the quotient itself is good to a few roundings of t. What the
-    // rounded corners add: each coordinate errs by at most `place`, which moves the weights, and
-    // the hit along the triangle's slope.
-    Real size = max_component(absolute(a));
-    const Real size_b = max_component(absolute(b));
-    const Real size_c = max_component(absolute(c));
-    if (size_b > size) size = size_b;
-    if (size_c > size) size = size_c;
-    const Real place = ray.origin_error + gamma<Real>(3) * size;
-    const Real slope = abs(az - t) * (abs(bx) + abs(by) + abs(cx) + abs(cy)) +
-                       abs(bz - t) * (abs(ax) + abs(ay) + abs(cx) + abs(cy)) +
-                       abs(cz - t) * (abs(ax) + abs(ay) + abs(bx) + abs(by));
     hit.t = t;
-    hit.error = gamma<Real>(6) * abs(t) + place * slope / abs(det) + ray.origin_error * abs(s.sz);
+    hit.error = triangle_error(ray, triangle.placed, a, b, c, det, t,
+                               {(abs(cx * by) + abs(cy * bx)), (abs(ax * cy) + abs(ay * cx)),
+                                (abs(bx * ay) + abs(by * ax))},
+                               {az, bz, cz});
     hit.u = v / det;
     hit.v = w / det;
     hit.entering = det > 0;

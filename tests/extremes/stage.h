@@ -1,0 +1,68 @@
+// Scenes for the tests of extremes, written in C++, and what their pictures are held to.
+#pragma once
+
+#include <string>
+
+#include "model/scene.h"
+#include "tracer/render.h"
+
+namespace lancer::extremes {
+
+/// A scene under construction, 128 x 96 pixels, one ray each, nothing cut off.
+class Stage {
+  public:
+    Stage();
+
+    std::uint32_t material(const Material& m);
+    std::uint32_t matt(const Color& color);
+    std::uint32_t mirror();
+    std::uint32_t glass(double ior, const Color& color = {1, 1, 1});
+    Object& add(const Shape& shape, std::uint32_t material, const Affine<double>& map = {});
+    Object& add(const Mesh& mesh, std::uint32_t material, const Affine<double>& map = {});
+    void look(const Vec3d& from, const Vec3d& at, double fov, const Vec3d& up = {0, 1, 0});
+    void look_parallel(const Vec3d& from, const Vec3d& at, double height,
+                       const Vec3d& up = {0, 1, 0});
+    void lamp(const Vec3d& position, const Color& color = {1, 1, 1});
+    void sun(const Vec3d& direction, const Color& color = {1, 1, 1});
+
+    Scene scene;
+};
+
+/// A plane with one of each: sphere, mirror, box, cylinder, cone, mesh, glass; two lamps. All
+/// coordinates are multiples of 1/256.
+Stage base_stage();
+
+/// Icosahedron, its faces split in four `levels` times, on the sphere around `center`.
+Mesh icosphere(const Vec3d& center, double radius, int levels);
+Mesh cube(const Vec3d& min, const Vec3d& max);
+
+/// The scene with all its lengths multiplied, written out: what a user does to the file's numbers.
+Scene scaled(Scene scene, double factor);
+/// The scene with `by` added to all places. Planes must have an axis for a normal.
+Scene moved(Scene scene, const Vec3d& by);
+/// The scene with x, y, z renamed y, z, x.
+Scene turned_axes(Scene scene);
+/// The scene with `map` put on every object, camera and light as a group's transform would be.
+Scene under(Scene scene, const Affine<double>& map);
+
+Affine<double> stretch(double x, double y, double z);
+Affine<double> shift(const Vec3d& by);
+/// About `axis` (0, 1, 2), degrees.
+Affine<double> turn(int axis, double angle);
+
+/// The picture, after a check that it holds no NaN and that no body was lost on the way.
+Image picture(const Scene& scene, Precision precision = Precision::double_);
+
+/// Pixels that differ by more than 1/255 in a channel, both clipped to [0, 1].
+int wrong(const Image& a, const Image& b);
+/// Pixels that differ at all.
+int different(const Image& a, const Image& b);
+/// Pixels that are not the first one's colour, with the same measure as wrong().
+int not_uniform(const Image& a);
+int wrong(const Image& a, const Color& everywhere);
+
+inline double power10(int k) {
+    return std::stod("1e" + std::to_string(k));
+}
+
+}  // namespace lancer::extremes
