@@ -46,10 +46,13 @@ double FrameRange::time(std::int64_t frame) const {
 }
 
 PictureSize parse_size(const std::string& text) {
+    constexpr int largest = 65535;  // as in a scene's image { … }
     const auto sides = read_list<2>(text, 'x');
-    if (!sides || (*sides)[0] < 1 || (*sides)[1] < 1) {
-        throw UsageError(
-            fmt::format("'{}' is no picture size: expected WIDTHxHEIGHT, as in 640x480", text));
+    const auto fits = [](int side) { return side >= 1 && side <= largest; };
+    if (!sides || !fits((*sides)[0]) || !fits((*sides)[1])) {
+        throw UsageError(fmt::format(
+            "'{}' is no picture size: expected WIDTHxHEIGHT of 1 to {} pixels, as in 640x480", text,
+            largest));
     }
     return {(*sides)[0], (*sides)[1]};
 }

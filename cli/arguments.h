@@ -16,7 +16,7 @@ class Option;
 
 namespace lancer::cli {
 
-/// `640x480`
+/// `640x480`; each side 1 to 65535
 struct PictureSize {
     int width = 0;
     int height = 0;

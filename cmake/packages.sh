@@ -10,10 +10,10 @@ packages_to_build=(
 )
 packages_to_test=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev
-    povray clang-format-14
+    povray clang-format-14 python3 chromium chromium-driver
 )
 packages_to_test_all=(
-    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14 chromium chromium-driver
+    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14
 )
 
 # install_missing PACKAGE...: asks apt-get for those that are not installed; without any, does nothing

@@ -15,7 +15,7 @@ TEST(Arguments, SizesAreTwoWholeNumbersAboveZero) {
     EXPECT_EQ(size.width, 640);
     EXPECT_EQ(size.height, 480);
     for (const char* wrong : {"", "640", "640x", "x480", "640x480x3", "0x480", "640x-1", "6.5x4",
-                              "640 x 480", "640x480 ", "99999999999x1", "640X480"})
+                              "640 x 480", "640x480 ", "99999999999x1", "65536x1", "640X480"})
         EXPECT_THROW(parse_size(wrong), UsageError) << wrong;
 }
 
