@@ -6,6 +6,17 @@
 #include "tracer/render.h"
 
 namespace lancer::cli {
+namespace {
+
+reference::Probe probe_of(const std::shared_ptr<const Renderer>& renderer, const View& view) {
+    return [renderer, view](double x, double y) {
+        const Probe probe = renderer->probe(view, x, y);
+        return reference::ProbeSample{probe.color,  probe.object, probe.depth,
+                                      probe.normal, probe.lit,    probe.path};
+    };
+}
+
+}  // namespace
 
 reference::OurPicture render_ours(const Scene& scene, const reference::ExportView& exported) {
     View view;
@@ -21,11 +32,9 @@ reference::OurPicture render_ours(const Scene& scene, const reference::ExportVie
     reference::OurPicture picture;
     picture.image = renderer->render(view, {}, rays);
     picture.seconds = watch.seconds();
-    picture.probe = [renderer, view](double x, double y) {
-        const Probe probe = renderer->probe(view, x, y);
-        return reference::ProbeSample{probe.color,  probe.object, probe.depth,
-                                      probe.normal, probe.lit,    probe.path};
-    };
+    picture.probe = probe_of(renderer, view);
+    view.absorption_by_povray = true;
+    picture.probe_by_rules = probe_of(renderer, view);
     return picture;
 }
 

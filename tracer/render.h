@@ -28,7 +28,10 @@ struct View {
     int width = 640;
     int height = 480;
     std::optional<Crop> crop;  ///< only these pixels; the result has the crop's size
-    bool aov = false;          ///< also object id, depth, normal and shadow, see render()
+    /// For the judge: absorption as POV-Ray 3.7 has it, which dims what passes through a body's far
+    /// side but neither what that side shows or mirrors nor a stretch that ends on another object.
+    bool absorption_by_povray = false;
+    bool aov = false;  ///< also object id, depth, normal and shadow, see render()
 };
 
 /// Exact counts of one render() call.

@@ -30,7 +30,7 @@ class RendererOf final : public Renderer {
         std::mutex merging;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
-            Whitted<Real> whitted(*world_);
+            Whitted<Real> whitted(*world_, view.absorption_by_povray);
             for (int index = 0; next_task(index);) {
                 const int left = index % across * tile;
                 const int top = index / across * tile;
@@ -46,7 +46,7 @@ class RendererOf final : public Renderer {
     }
 
     Probe probe(const View& view, double x, double y) const override {
-        Whitted<Real> whitted(*world_);
+        Whitted<Real> whitted(*world_, view.absorption_by_povray);
         Witness<Real> witness;
         const Lens<Real> lens = lens_of(view);
         Probe probe;

@@ -31,7 +31,8 @@ struct Witness {
 template <class Real>
 class Whitted {
   public:
-    explicit Whitted(const World<Real>& world) : world_(world) {}
+    explicit Whitted(const World<Real>& world, bool absorption_by_povray = false)
+        : world_(world), absorption_by_povray_(absorption_by_povray) {}
 
     RayCounts counts;
 
@@ -68,9 +69,11 @@ class Whitted {
                 return result + through * passed_forever(media) * world_.background;
             }
             const Real t = contact.front().t;
+            Vec3<Real> dimmed(1);
             if (world_.has_media) {
                 counts.media_lost += drop_lost(world_, media, ray, t);
-                through = through * absorbed_between(media, start.t, t);
+                dimmed = absorbed_between(media, start.t, t);
+                if (!absorption_by_povray_) through = through * dimmed;
             }
             order_contact(world_, contact);
             SurfaceList touched;
@@ -88,6 +91,8 @@ class Whitted {
             }
             if (share.ended) return result;
             through = through * share.light;
+            if (absorption_by_povray_ && ends_own_stretch(surfaces, media))
+                through = through * dimmed;
             weight *= share.weight;
             if (c.ratio == 1) {
                 if (++straight_passes > max_straight_passes) return result;
@@ -107,13 +112,18 @@ class Whitted {
         return result;
     }
 
+    using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
+
+    /// Whether a stretch of the innermost medium ends on that medium's own body.
+    bool ends_own_stretch(const Surfaces& surfaces, const MediaList& media) const {
+        return surfaces.empty() || surfaces.front().finish == medium_of(world_, media);
+    }
+
     /// Beyond the limits a ray brings black, so it need not be cast.
     bool is_followed(Real weight, int level) const {
         return level < world_.settings.max_depth &&
                weight >= static_cast<Real>(world_.settings.min_contribution);
     }
-
-    using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
 
     /// The surfaces of an ordered contact that show: an opaque one hides all others.
     Surfaces resolve(const Contact<Real>& contact, const Ray<Real>& ray) const {
@@ -299,6 +309,7 @@ class Whitted {
     }
 
     const World<Real>& world_;
+    bool absorption_by_povray_;
     CameraMedia<Real> origins_;
     Witness<Real>* witness_ = nullptr;
 };

@@ -85,6 +85,7 @@ std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, co
     const ProbeSample at_centre = probe(x, y);
     const double difference = distance(at_centre.color, theirs);
     std::optional<Crossing> nearest;
+    bool changes = false;
     for (const double ring : rings) {
         for (int i = 0; i < directions; ++i) {
             // Off the axes, along which exact edges like to lie.
@@ -92,6 +93,8 @@ std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, co
             const Point end{x + radius * ring * elementary::cos(angle),
                             y + radius * ring * elementary::sin(angle)};
             const ProbeSample at_end = probe(end.x, end.y);
+            changes = changes || at_end.path != at_centre.path ||
+                      distance(at_end.color, at_centre.color) > 0.1 * difference;
             if (distance(at_end.color, theirs) >= 0.5 * difference) continue;
             const Step step = close_in(probe, centre, at_centre, end, at_end, theirs);
             const double jump = distance(step.near_side.color, step.far_side.color);
@@ -103,6 +106,8 @@ std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, co
             }
         }
         if (nearest) break;
+        // Nothing happens on the largest ring: what is within it is smaller than any pixel sees.
+        if (ring == rings.front() && !changes) break;
     }
     return nearest;
 }

@@ -32,8 +32,6 @@ struct Thresholds {
     double rounding = 1e-4;  ///< pixels
     /// The pictures may be shifted against each other by less than this many pixels.
     double shift = 1e-3;
-    /// Pixels over `interior` that the other program's known rules may take.
-    std::size_t known = 0;
 };
 
 enum class PixelClass : std::uint8_t {
@@ -82,11 +80,10 @@ struct Judgement {
     std::size_t count(PixelClass c) const { return counts[static_cast<std::size_t>(c)]; }
 };
 
-/// Asks whether a pixel's value is what the other program's known rules make of it.
-using KnownRule = std::function<bool(int x, int y, const ProbeSample& ours, const Color& theirs)>;
-
 /// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
-/// `ours` at the pixels' centres. `known` may be empty.
+/// `ours` at the pixels' centres. `by_rules`, which may be empty, gives our picture as it would be
+/// by the other program's rules: a pixel that takes its value is a known difference, shown by
+/// number.
 ///
 /// Explaining could excuse anything, so it is bounded. Rounding moves an edge by 10^-12 pixel or,
 /// where POV-Ray keeps single precision, by 10^-5: then hardly any pixel lies between the two
@@ -95,6 +92,6 @@ using KnownRule = std::function<bool(int x, int y, const ProbeSample& ours, cons
 /// shaded smoothly it shows as a difference along the gradient, which no edge explains, and by
 /// registration.
 Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
-                const Thresholds& thresholds, const KnownRule& known = {});
+                const Thresholds& thresholds, const Probe& by_rules = {});
 
 }  // namespace lancer::reference

@@ -42,7 +42,6 @@ struct CountKey {
 };
 constexpr CountKey count_keys[] = {
     {"unexplained", &Thresholds::unexplained},
-    {"known", &Thresholds::known},
 };
 
 std::string known_keys() {

@@ -4,7 +4,7 @@
 // reason is no decoration: a line without one is an error. `#` at the start of a line begins a
 // comment.
 //
-//     known            40     # absorption-inside: 40 pixels of the liquid's rim, see
+//     unexplained      3      # coincident faces at the rim, where POV-Ray has no rule
 //     docs/export.md displaced_share  0.002  # the lathe is tessellated, its outline is not
 //     POV-Ray's to 1e-4 pixel refused          yes    # POV-Ray has no mesh with a texture on
 //     single faces

@@ -41,16 +41,12 @@ Probe exposed(Probe probe, double exposure) {
     };
 }
 
-/// A pixel may be put down to a rule only where the exporter saw the rule at work: at an object
-/// that it named, or anywhere when it named none.
-KnownRule known_rule(const std::vector<KnownDifference>& known) {
-    if (known.empty()) return {};
-    return [known](int, int, const ProbeSample& ours, const Color&) {
-        return std::any_of(known.begin(), known.end(), [&](const KnownDifference& k) {
-            return k.objects.empty() ||
-                   std::find(k.objects.begin(), k.objects.end(), ours.object) != k.objects.end();
-        });
-    };
+/// Rules that our renderer can follow for the sake of the argument.
+bool has_followed_rule(const std::vector<KnownDifference>& known) {
+    return std::any_of(known.begin(), known.end(), [](const KnownDifference& k) {
+        return k.rule == KnownDifference::Rule::absorption_inside ||
+               k.rule == KnownDifference::Rule::absorption_nested;
+    });
 }
 
 /// The exporter's result taken over; false when the scene goes no further.
@@ -75,7 +71,7 @@ bool take_export(Validation& result, const ValidationJob& job, ExportResult& exp
     return false;
 }
 
-void judge_pictures(Validation& result, const Probe& probe) {
+void judge_pictures(Validation& result, const OurPicture& ours) {
     CompareOptions options;
     options.fail = result.thresholds.interior;
     options.fail_percent = 100;  // the judgement decides, not this
@@ -85,8 +81,11 @@ void judge_pictures(Validation& result, const Probe& probe) {
         result.reasons.push_back(result.comparison.reason);
         return;
     }
-    result.judgement = judge(result.ours, result.theirs, exposed(probe, result.exposure),
-                             result.thresholds, known_rule(result.known_differences));
+    Probe by_rules;
+    if (ours.probe_by_rules && has_followed_rule(result.known_differences))
+        by_rules = exposed(ours.probe_by_rules, result.exposure);
+    result.judgement = judge(result.ours, result.theirs, exposed(ours.probe, result.exposure),
+                             result.thresholds, by_rules);
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
     result.reasons = result.judgement.failures;
 }
@@ -110,7 +109,7 @@ void validate(Validation& result, const ValidationJob& job, const OurRenderer& r
     result.from_cache = picture.from_cache;
     result.pov_command = picture.command;
     result.theirs = std::move(picture.image);
-    judge_pictures(result, ours.probe);
+    judge_pictures(result, ours);
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ namespace lancer::reference {
 struct OurPicture {
     Image image;  ///< linear light, 3 channels, not clamped
     Probe probe;  ///< the same picture between the pixels' centres, in the same units
+    /// The same with what POV-Ray does otherwise by rule done its way (absorption); may be empty.
+    Probe probe_by_rules;
     double seconds = 0;
 };
 /// Renders what `view` shows of the scene, one ray through the centre of each pixel. Called from

@@ -31,36 +31,41 @@ TEST(Expectations, OfAnEmptyFileAreTheDefaults) {
 
 TEST(Expectations, KeepValuesWithTheirReasons) {
     const Expectations e = parse_expectations(
-        "# the rim\nknown  40\t# absorption: 40 pixels\ntight 5e-5 # meshes in single precision\n"
+        "# the rim\nunexplained  40\t# absorption: 40 pixels\ntight 5e-5 # meshes in single "
+        "precision\n"
         "refused yes   # no word for it",
         "s.expect");
-    EXPECT_EQ(e.thresholds.known, 40u);
+    EXPECT_EQ(e.thresholds.unexplained, 40u);
     EXPECT_EQ(e.thresholds.tight, 5e-5);
     EXPECT_TRUE(e.refused);
     EXPECT_EQ(e.refusal_reason, "no word for it");
-    EXPECT_THAT(e.reasons, testing::ElementsAre("known 40: absorption: 40 pixels",
+    EXPECT_THAT(e.reasons, testing::ElementsAre("unexplained 40: absorption: 40 pixels",
                                                 "tight 5e-5: meshes in single precision",
                                                 "refused yes: no word for it"));
 }
 
 TEST(Expectations, RefuseWhatTheyDoNotUnderstandWithTheLine) {
-    EXPECT_EQ(error_of("\nknown 4"), "s.expect:2: known needs a reason: known 4  # why");
-    EXPECT_EQ(error_of("known 4 #  "), "s.expect:1: known needs a reason: known 4  # why");
-    EXPECT_THAT(error_of("knwon 4 # x"), testing::HasSubstr("s.expect:1: unknown key 'knwon'"));
-    EXPECT_EQ(error_of("known # x"), "s.expect:1: known has no value");
-    EXPECT_EQ(error_of("known 4.5 # x"), "s.expect:1: '4.5' is not a number that fits here");
-    EXPECT_EQ(error_of("known -1 # x"), "s.expect:1: '-1' is not a number that fits here");
+    EXPECT_EQ(error_of("\nunexplained 4"),
+              "s.expect:2: unexplained needs a reason: unexplained 4  # why");
+    EXPECT_EQ(error_of("unexplained 4 #  "),
+              "s.expect:1: unexplained needs a reason: unexplained 4  # why");
+    EXPECT_THAT(error_of("unexplaned 4 # x"),
+                testing::HasSubstr("s.expect:1: unknown key 'unexplaned'"));
+    EXPECT_EQ(error_of("unexplained # x"), "s.expect:1: unexplained has no value");
+    EXPECT_EQ(error_of("unexplained 4.5 # x"), "s.expect:1: '4.5' is not a number that fits here");
+    EXPECT_EQ(error_of("unexplained -1 # x"), "s.expect:1: '-1' is not a number that fits here");
     EXPECT_EQ(error_of("interior nan # x"), "s.expect:1: interior must lie between 1e-06 and 1");
     EXPECT_EQ(error_of("tight 2 # x"), "s.expect:1: tight must lie between 1e-06 and 1");
-    EXPECT_EQ(error_of("known 1 # x\nknown 2 # y"), "s.expect:2: known stands here twice");
+    EXPECT_EQ(error_of("unexplained 1 # x\nunexplained 2 # y"),
+              "s.expect:2: unexplained stands here twice");
     EXPECT_EQ(error_of("refused no # x"), "s.expect:1: refused takes only the value yes");
 }
 
 TEST(Expectations, AreReadFromTheFileBesideTheScene) {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "a.expect") << "known 3 # why\n";
-    EXPECT_EQ(read_expectations((folder.path() / "a.lancer").string()).thresholds.known, 3u);
-    EXPECT_EQ(read_expectations((folder.path() / "b.lancer").string()).thresholds.known, 0u);
+    std::ofstream(folder.path() / "a.expect") << "unexplained 3 # why\n";
+    EXPECT_EQ(read_expectations((folder.path() / "a.lancer").string()).thresholds.unexplained, 3u);
+    EXPECT_EQ(read_expectations((folder.path() / "b.lancer").string()).thresholds.unexplained, 0u);
 }
 
 }  // namespace

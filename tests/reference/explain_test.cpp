@@ -176,6 +176,22 @@ TEST(FindCrossing, ReturnsTheOffsetOfTheEdge) {
     EXPECT_NEAR(std::hypot(crossing->dx, crossing->dy), 0.004, 1e-4) << "16 directions";
 }
 
+TEST(Judge, CountsAsKnownOnlyWhatTheOtherRuleGivesExactly) {
+    const World world;
+    World dimmer;
+    dimmer.brightness = 0.9;  // the other program's rule
+    World wrong;
+    wrong.brightness = 0.899;
+    const Image ours = tiny::Tracer(world).render();
+    const Probe probe = tiny::probe_of(world);
+    const Probe rule = tiny::probe_of(dimmer);
+    const Judgement right = judge(ours, tiny::Tracer(dimmer).render(true), probe, {}, rule);
+    EXPECT_EQ(right.count(PixelClass::unexplained), 0u) << summary(right);
+    EXPECT_GT(right.count(PixelClass::known), 5000u);
+    const Judgement off = judge(ours, tiny::Tracer(wrong).render(true), probe, {}, rule);
+    EXPECT_GT(off.count(PixelClass::unexplained), 5000u) << summary(off);
+}
+
 // ---- Seeded faults: each is a mistake a ray tracer may make.
 
 TEST(SeededFault, ALampOnePercentDimmerIsUnexplained) {

@@ -178,6 +178,22 @@ TEST_F(Validate, BrightScenesAreExposedOnBothSides) {
     EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
 }
 
+TEST_F(Validate, AbsorptionByPovRaysRuleIsKnownAndNothingElseIs) {
+    Scene scene = solids_scene();
+    Material milky;
+    milky.diffuse = 0.5;
+    milky.transmission = 0.4;
+    milky.ior = 1.3;
+    milky.absorption = {0.5, 0.3, 0.1};
+    scene.materials.push_back(milky);
+    scene.objects[1].material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    const Validation v = validate(scene);
+    EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
+    EXPECT_GT(v.judgement.count(PixelClass::known), 100u);
+    expect_caught(
+        scene, [](Scene& ours) { ours.materials.back().absorption.x += 0.01; }, 100);
+}
+
 TEST_F(Validate, AnExpectedRefusalThatDoesNotComeFails) {
     Expectations expect;
     expect.refused = true;
