@@ -101,7 +101,6 @@ class Rendering {
         Stopwatch watch;
         const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings);
         statistics_.build += watch.seconds();
-        statistics_.count(scene, renderer->counts());
         statistics_.threads = scene.settings.threads;
 
         watch = {};
@@ -109,6 +108,7 @@ class Rendering {
         progress_.begin_part(statistics_.frames);
         const Image image = renderer->render(
             view, [this](double share) { progress_.update(share); }, rays);
+        statistics_.count(scene, renderer->counts());  // after: patches are cut when rays ask
         statistics_.trace += watch.seconds();
         statistics_.add(rays);
 
