@@ -26,7 +26,8 @@ TEST(Limits, LongFlatChainsAreNoRecursion) {
 class DeepText : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(DeepText, IsReadUpToTheLimitAndIsAnErrorBeyond) {
-    const auto& [open, close] = GetParam();
+    const std::string& open = GetParam().first;
+    const std::string& close = GetParam().second;
     const auto nested = [&](int depth) {
         const std::string inside = open.find('{') == std::string::npos ? "1" : "";
         const std::string start = open.find('{') == std::string::npos ? "let a = " : "";
