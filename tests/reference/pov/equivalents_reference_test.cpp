@@ -160,6 +160,59 @@ TEST_F(Equivalents, SplinesOfEveryKindThroughTheSameCurveAreOnePicture) {
     }
 }
 
+// POV-Ray's own Catmull-Rom lathe against the Bezier curve with the same ends and tangents.
+TEST_F(Equivalents, ACatmullRomLatheIsTheBezierLatheWithItsTangents) {
+    const std::vector<Vec2d> p{{0.3, -1.4}, {0.8, -0.9}, {0.4, -0.1},
+                               {0.9, 0.5},  {0.5, 0.9},  {0.2, 1.6}};
+    std::vector<Vec2d> bezier{p[1]};
+    for (std::size_t i = 1; i + 2 < p.size(); ++i) {
+        bezier.push_back(p[i] + (p[i + 1] - p[i - 1]) / 6.0);
+        bezier.push_back(p[i + 1] - (p[i + 2] - p[i]) / 6.0);
+        bezier.push_back(p[i + 1]);
+    }
+    Scene one = empty_scene();
+    one.lathes.push_back({p, Spline::catmull_rom, {}});
+    add_object(one, LatheRef{0}, mapped(one, ImageTexture::Mapping::uv)).transform =
+        add_transform(one, turned());
+    Scene other = empty_scene();
+    other.lathes.push_back({bezier, Spline::bezier, {}});
+    add_object(other, LatheRef{0}, mapped(other, ImageTexture::Mapping::uv)).transform =
+        add_transform(other, turned());
+    expect_same(one, other, 0.002);
+}
+
+// A closed curve is a prism's outline wherever it begins, and an even polygon of control points far
+// inside its own B-spline's reach is nearly a circle: against the cylinder it must enclose.
+TEST_F(Equivalents, ABsplinePrismBeginsAnywhereAndIsNearlyACylinder) {
+    constexpr int corners = 48;
+    const auto prism_from = [](int first, Spline spline) {
+        Scene scene = empty_scene();
+        std::vector<Vec2d> outline;
+        for (int i = 0; i < corners; ++i) {
+            const auto [sine, cosine] =
+                elementary::sine_cosine_of_degrees(360.0 * (i + first) / corners);
+            outline.push_back(Vec2d(cosine, sine) * 0.8);
+        }
+        scene.prisms.push_back({outline, spline, -0.6, 0.6, true, {}});
+        add_object(scene, PrismRef{0}).transform = add_transform(scene, turned());
+        return scene;
+    };
+    for (const Spline spline : {Spline::bspline, Spline::catmull_rom}) {
+        const Scene prism = prism_from(0, spline);
+        expect_same(prism, prism_from(7, spline), 0.002);
+        // On the curve: a B-spline's points lie (2 + cos(turn)) / 3 of the way out.
+        const double turn = tau / corners;
+        const double radius =
+            0.8 * (spline == Spline::bspline ? (2 + elementary::cos(turn)) / 3 : 1);
+        Scene cylinder = empty_scene();
+        add_object(cylinder, Cylinder{{0, -0.6, 0}, {0, 0.6, 0}, radius, true}).transform =
+            add_transform(cylinder, turned());
+        const ExportView view{0, 64, 48};
+        const Difference found = difference(rendered(prism, view), rendered(cylinder, view), 1e-3);
+        EXPECT_LE(found.share_over, 0.003);
+    }
+}
+
 // A gradient's negative coordinates: POV-Ray's own rule is off by 1e-5 of a period per period.
 TEST_F(Equivalents, AGradientIsTheSameOnBothSidesOfZero) {
     Gradient gradient;
