@@ -36,6 +36,7 @@ struct Ray {
         origin_error;  ///< bound on the start's distance from the surface it was computed to lie on
     Vec3<Real> inv_dir;  ///< 1 / dir, component by component
     Shear<Real> shear;
+    bool whole = false;  ///< `origin_lo` is 0
 };
 
 template <class Real>
@@ -49,6 +50,7 @@ Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const 
                   origin_error,
                   Vec3<Real>(1 / dir.x, 1 / dir.y, 1 / dir.z),
                   {}};
+    ray.whole = origin_lo == Vec3<Real>(0);
     Shear<Real>& s = ray.shear;
     const Real ax = abs(dir.x);
     const Real ay = abs(dir.y);
@@ -66,6 +68,7 @@ Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const 
 /// The ray's start relative to `point`.
 template <class Real>
 Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
+    if (ray.whole) return ray.origin - point;  // what the difference then comes to
     return difference(ray.origin, ray.origin_lo, point);
 }
 
