@@ -91,7 +91,7 @@ class Whitted {
             }
             if (share.ended) return result;
             through = through * share.light;
-            if (absorption_by_povray_ && ends_own_stretch(surfaces, media))
+            if (absorption_by_povray_ && is_dimmed_by_povray(surfaces, media, c.total))
                 through = through * dimmed;
             weight *= share.weight;
             if (c.ratio == 1) {
@@ -114,9 +114,12 @@ class Whitted {
 
     using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
 
-    /// Whether a stretch of the innermost medium ends on that medium's own body.
-    bool ends_own_stretch(const Surfaces& surfaces, const MediaList& media) const {
-        return surfaces.empty() || surfaces.front().finish == medium_of(world_, media);
+    /// Whether POV-Ray dims what passes: when the stretch ends on the medium's own body. A total
+    /// reflection that Fresnel's equations give is to POV-Ray a mirror's, which it does not dim.
+    bool is_dimmed_by_povray(const Surfaces& surfaces, const MediaList& media, bool total) const {
+        if (surfaces.empty()) return true;
+        const Finish<Real>* finish = surfaces.front().finish;
+        return finish == medium_of(world_, media) && !(total && finish->fresnel);
     }
 
     /// Beyond the limits a ray brings black, so it need not be cast.

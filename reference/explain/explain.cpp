@@ -39,14 +39,17 @@ bool is_explained(PixelClass c) {
            c == PixelClass::secondary;
 }
 
+/// Whether the pixel has exactly the value that the other program's rules give.
+bool is_known(const DifferentPixel& pixel, const Thresholds& limits, const Probe& by_rules) {
+    if (!by_rules) return false;
+    const Color expected = by_rules(pixel.x + 0.5, pixel.y + 0.5).color;
+    return distance(expected, pixel.theirs) <= limits.interior;
+}
+
 void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
               const Probe& by_rules) {
     const double x = pixel.x + 0.5;
     const double y = pixel.y + 0.5;
-    if (by_rules && distance(by_rules(x, y).color, pixel.theirs) <= limits.interior) {
-        pixel.pixel_class = PixelClass::known;
-        return;
-    }
     auto crossing = find_crossing(probe, x, y, pixel.theirs, limits.radius, limits.interior);
     // Behind an edge, too, the other program follows its own rules.
     if (!crossing && by_rules)
@@ -162,7 +165,11 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         pixel.difference = differences[i];
         pixel.ours = color_at(ours, pixel.x, pixel.y);
         pixel.theirs = color_at(theirs, pixel.x, pixel.y);
-        if (unexplained < enough_unexplained) classify(pixel, probe, limits, by_rules);
+        if (is_known(pixel, limits, by_rules)) {
+            pixel.pixel_class = PixelClass::known;
+        } else if (unexplained < enough_unexplained) {
+            classify(pixel, probe, limits, by_rules);
+        }
         if (pixel.pixel_class == PixelClass::unexplained) ++unexplained;
         if (is_explained(pixel.pixel_class)) {
             offsets.push_back(pixel.offset);

@@ -174,19 +174,19 @@ Report validation_report(const PovRay& povray, const std::string& lancer_version
          "65535. Half a step is 7.6e-6."},
         {"Judgement",
          fmt::format(
-             "A pixel whose largest channel differs by more than {:g} must be explained: an edge "
+             "A pixel whose largest channel differs by more than {} must be explained: an edge "
              "of "
              "geometry, shadow or texture must pass its centre within {:g} pixel, and beyond it "
              "our own "
              "picture must take POV-Ray's value. Explaining is bounded: at most {:g} % of the edge "
              "pixels, "
-             "at most {:g} % by edges that are off by more than {:g} pixel, no shift between the "
+             "at most {:g} % by edges that are off by more than {} pixel, no shift between the "
              "pictures, no common direction of the offsets. Everything else is unexplained, and "
              "fails. Of "
-             "the pixels away from edges {:g} % must agree within {:g}.",
-             defaults.interior, defaults.radius, defaults.explained_share * 100,
-             defaults.displaced_share * 100, defaults.rounding, defaults.tight_share * 100,
-             defaults.tight)},
+             "the pixels away from edges {:g} % must agree within {}.",
+             shown(defaults.interior), defaults.radius, defaults.explained_share * 100,
+             defaults.displaced_share * 100, shown(defaults.rounding), defaults.tight_share * 100,
+             shown(defaults.tight))},
     };
     return report;
 }
