@@ -22,7 +22,7 @@ namespace {
 
 template <class... Shapes>
 constexpr bool all_have_blocks(std::type_identity<std::variant<Shapes...>>) {
-    return ((blocks::block_of<Shapes> != nullptr) && ...);
+    return (std::is_pointer_v<decltype(blocks::block_of<Shapes>)> && ...);
 }
 static_assert(all_have_blocks(std::type_identity<Shape>{}),
               "every alternative of lancer::Shape needs a block: parser/blocks/blocks.h");

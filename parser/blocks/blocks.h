@@ -51,8 +51,9 @@ extern const BlockInfo texture;
 void make_texture(BlockReader& block, std::uint32_t& result);
 
 /// The block that each shape of the model is written as.
+struct NoBlock {};
 template <class AnyShape>
-inline constexpr const BlockInfo* block_of = nullptr;
+inline constexpr NoBlock block_of{};
 template <>
 inline constexpr const BlockInfo* block_of<Sphere> = &sphere;
 template <>
