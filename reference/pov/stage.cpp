@@ -111,6 +111,10 @@ struct LightWriter {
 }  // namespace
 
 void write_light(Writer& writer, const Light& light) {
+    // `spotlight` and `shadowless` are two values of one setting there: the later word wins.
+    if (!light.shadows && std::holds_alternative<SpotLight>(light.kind))
+        writer.refuse(light.place, "POV-Ray's lights without shadows have no cone",
+                      "give the spot light shadows, or make it a point light");
     writer.text.open("light_source {");
     std::visit(LightWriter{writer, rgb(writer.lit(light.color))}, light.kind);
     if (!light.shadows) writer.text.line("shadowless");
