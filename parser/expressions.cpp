@@ -1,8 +1,8 @@
 // Evaluates expressions: postfix steps on a stack of values.
 #include <algorithm>
 
-#include "parser/evaluator.h"
 #include "model/srgb.h"
+#include "parser/evaluator.h"
 #include "parser/suggest.h"
 
 namespace lancer {

@@ -6,8 +6,8 @@
 
 #include "model/math.h"
 #include "model/srgb.h"
-#include "parser/random.h"
 #include "model/utf8.h"
+#include "parser/random.h"
 
 namespace lancer {
 namespace {

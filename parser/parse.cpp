@@ -63,10 +63,11 @@ Evaluation evaluate(const Script& script, const Definitions& definitions, const 
         } catch (const StopReading&) {
         }
         // In the order of the text, whichever stage found them.
-        const auto key = [](const Diagnostic& d) { return std::pair(d.where.file, d.where.offset); };
-        std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
-            return key(a) < key(b);
-        });
+        const auto key = [](const Diagnostic& d) {
+            return std::pair(d.where.file, d.where.offset);
+        };
+        std::stable_sort(found.begin(), found.end(),
+                         [&](const auto& a, const auto& b) { return key(a) < key(b); });
         result.scene = evaluator.take_scene();
         result.printed = evaluator.take_printed();
     } catch (const StopReading&) {

@@ -1,10 +1,10 @@
 #include "parser/syntax.h"
 
+#include "model/utf8.h"
 #include "parser/actions.h"
 #include "parser/builder.h"
 #include "parser/grammar.h"
 #include "parser/syntax_messages.h"
-#include "model/utf8.h"
 
 namespace lancer {
 namespace {

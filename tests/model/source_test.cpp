@@ -22,17 +22,19 @@ TEST(SourceMap, LocatesLinesAfterLfAndCrlf) {
 TEST(Diagnostic, QuotesTheLineWithACaretAndKeepsTabs) {
     SourceMap sources;
     const std::uint32_t file = sources.add("t.lancer", "sphere {\n\traduis 2\n}\n");
-    EXPECT_EQ(format({Severity::error, {file, 10, 6}, "sphere has no property 'raduis'", "radius?", {}},
-                     sources),
-              "t.lancer:2:2: error: sphere has no property 'raduis'\n"
-              "    \traduis 2\n"
-              "    \t^~~~~~\n"
-              "    hint: radius?\n");
+    EXPECT_EQ(
+        format({Severity::error, {file, 10, 6}, "sphere has no property 'raduis'", "radius?", {}},
+               sources),
+        "t.lancer:2:2: error: sphere has no property 'raduis'\n"
+        "    \traduis 2\n"
+        "    \t^~~~~~\n"
+        "    hint: radius?\n");
 }
 
 TEST(Diagnostic, CropsALongLineAroundTheCaret) {
     SourceMap sources;
-    const std::uint32_t file = sources.add("t", std::string(5000, 'a') + "X" + std::string(5000, 'b'));
+    const std::uint32_t file =
+        sources.add("t", std::string(5000, 'a') + "X" + std::string(5000, 'b'));
     const std::string text = format({Severity::warning, {file, 5000, 1}, "m", "", {}}, sources);
     EXPECT_LT(text.size(), 400u);
     EXPECT_NE(text.find("...a"), std::string::npos);
