@@ -89,7 +89,14 @@ void Builder::report(const Mark& mark, const SyntaxError& error) {
     Diagnostic* said = nullptr;
     switch (error.message) {
         case Message::comment_not_closed:
-            report_.error(error.message, span(comment_open_, comment_open_ + 2));
+            // Where a word is followed by the comment at once, no blank has noted its opening.
+            if (comment_open_ == nullptr) {
+                const std::size_t open = text_.rfind("/*", offset_of(error.at));
+                comment_open_ = open == std::string_view::npos ? error.at : text_.data() + open;
+            }
+            report_.error(
+                error.message,
+                span(comment_open_, std::min(comment_open_ + 2, text_.data() + text_.size())));
             cut_short_ = true;
             return;
         case Message::string_not_closed:
