@@ -29,16 +29,6 @@ constexpr std::array<Words, feature_count> words{{
     {"light from behind", "lights behind a surface that shine through it"},
 }};
 
-bool lets_light_through(const Scene& scene, const Material& material, bool textures) {
-    if (material.filter > 0 || material.transmission > 0) return true;
-    if (!textures || material.texture == none) return false;
-    const auto* image = std::get_if<ImageTexture>(&scene.textures[material.texture].pattern);
-    if (image == nullptr) return false;
-    // Outside of an image that is shown once, and where its alpha says so.
-    return image->wrap == ImageTexture::Wrap::once ||
-           scene.images[image->image].pixels->channels == 4;
-}
-
 bool has_normals_to_interpolate(const Scene& scene, const Shape& shape) {
     if (const auto* mesh = std::get_if<MeshRef>(&shape)) return mesh->smooth;
     if (const auto* triangle = std::get_if<Triangle>(&shape)) {
@@ -143,6 +133,16 @@ std::string_view meaning_of(Feature feature) {
 void Requirements::add(Feature feature, const Demand& by) {
     std::optional<Demand>& slot = demands_[static_cast<std::size_t>(feature)];
     if (!slot) slot = by;
+}
+
+bool lets_light_through(const Scene& scene, const Material& material, bool textures) {
+    if (material.filter > 0 || material.transmission > 0) return true;
+    if (!textures || material.texture == none) return false;
+    const auto* image = std::get_if<ImageTexture>(&scene.textures[material.texture].pattern);
+    if (image == nullptr) return false;
+    // Outside of an image that is shown once, and where its alpha says so.
+    return image->wrap == ImageTexture::Wrap::once ||
+           scene.images[image->image].pixels->channels == 4;
 }
 
 Requirements requirements_of(const Scene& scene, const Settings& settings) {

@@ -54,6 +54,10 @@ class Requirements {
     std::array<std::optional<Demand>, feature_count> demands_;
 };
 
+/// Whether some light may pass through a surface of this material. `textures` false: their alpha
+/// is not looked at.
+bool lets_light_through(const Scene& scene, const Material& material, bool textures);
+
 /// What the objects of `scene` ask for when rendered with `settings`: what these switch off
 /// (shadows, smooth, textures, everything that recursion does at depth 1) is not asked for.
 Requirements requirements_of(const Scene& scene, const Settings& settings);

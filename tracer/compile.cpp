@@ -7,6 +7,7 @@
 #include "model/bodies.h"
 #include "model/diagnostic.h"
 #include "model/plain_color.h"
+#include "model/requirements.h"
 #include "model/splines.h"
 #include "tracer/bvh_build.h"
 #include "tracer/mesh_compile.h"
@@ -20,15 +21,6 @@ namespace {
 
 /// Deeper recursion would need more stack than a thread has, and no picture shows it.
 constexpr int deepest = 1000;
-
-bool may_pass_light(const Scene& scene, const Settings& settings, const Material& m) {
-    if (m.transmission > 0 || m.filter > 0) return true;
-    if (m.texture == none || !settings.textures) return false;
-    const auto* image = std::get_if<ImageTexture>(&scene.textures[m.texture].pattern);
-    if (image == nullptr) return false;
-    return image->wrap == ImageTexture::Wrap::once ||
-           scene.images[image->image].pixels->channels == 4;
-}
 
 template <class Real>
 class Compiler {
@@ -155,8 +147,8 @@ class Compiler {
                     seat_texture(scene_, *world_, object, p, solids.own_exponent(object)));
             }
             const Material& m = scene_.materials[object.material];
-            p.transmissive = may_pass_light(scene_, settings_, m);
-            const bool has_matter = p.transmissive || m.ior != 1 || max_component(m.absorption) > 0;
+            p.transmissive = lets_light_through(scene_, m, settings_.textures);
+            const bool has_matter = inside_matters(m);
             // Whether a mesh has an inside takes a while to find out, so it is asked only when it
             // matters.
             p.body = (has_matter || !std::holds_alternative<MeshRef>(object.shape)) &&
@@ -176,6 +168,12 @@ class Compiler {
         return ref != nullptr && is_single_point(scene_.patches[ref->patch].control);
     }
 
+    /// Whether it matters to rays that they are inside a body of this material.
+    bool inside_matters(const Material& m) const {
+        return lets_light_through(scene_, m, settings_.textures) || m.ior != 1 ||
+               max_component(m.absorption) > 0;
+    }
+
     using MeshTable = std::map<std::uint32_t, const TriangleMesh<Real>*>;
 
     /// Compiles every mesh that an object shows, once.
@@ -187,9 +185,7 @@ class Compiler {
             MeshNeeds& n = needs[ref->mesh];
             n.normals |= ref->smooth && settings_.smooth;
             const Material& m = scene_.materials[object.material];
-            const bool matter = may_pass_light(scene_, settings_, m) || m.ior != 1 ||
-                                max_component(m.absorption) > 0;
-            n.body |= matter && is_body(scene_, object.shape);
+            n.body |= inside_matters(m) && is_body(scene_, object.shape);
         }
         MeshTable table;
         for (const auto& [index, n] : needs) {
