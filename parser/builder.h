@@ -58,9 +58,10 @@ class Builder {
 
     struct Mark {
         const char* at = nullptr;
-        std::size_t building, pending, contexts, arguments, steps, operators, bases, branches,
-            counts, brackets, labels, callees, values, else_marks;
-        std::uint64_t nesting;
+        std::size_t building = 0, pending = 0, contexts = 0, arguments = 0, steps = 0,
+                    operators = 0, bases = 0, branches = 0, counts = 0, brackets = 0, labels = 0,
+                    callees = 0, values = 0, else_marks = 0;
+        std::uint64_t nesting = 0;
     };
     Mark mark(const char* at) const;
     /// Reports the error, drops what was read since the mark, returns where to go on.

@@ -256,7 +256,7 @@ void Evaluator::execute_print(const ast::File& file, const ast::Statement& state
         if (i > statement.arguments.begin) line += ' ';
         line += to_text(value, meter_.text_left());
     }
-    meter_.text(line.size() + sizeof line, file.span(statement));
+    meter_.text(line.size() + sizeof(std::string), file.span(statement));
     printed_.push_back(std::move(line));
 }
 

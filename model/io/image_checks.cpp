@@ -12,7 +12,7 @@ namespace lancer::io {
 // ITU-T T.81, annex B: segments with a marker and a length, then the scan. A thumbnail in one of
 // the segments has an end-of-image marker too, so they are walked over.
 std::string jpeg_problem(std::string_view bytes) {
-    const std::string truncated = "the file is truncated";
+    constexpr const char* truncated = "the file is truncated";
     const auto byte = [&](std::size_t i) -> std::size_t {
         return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0;
     };
@@ -47,7 +47,7 @@ std::string jpeg_problem(std::string_view bytes) {
 // OpenEXR File Layout: magic number, version, then attributes (name, type, length, value) up to an
 // empty name; a file of several parts has several such lists up to an empty one.
 std::string exr_problem(std::string_view bytes) {
-    const std::string truncated = "the file is truncated";
+    constexpr const char* truncated = "the file is truncated";
     const auto integer = [&](std::size_t at) {
         return ByteReader(bytes.substr(std::min(at, bytes.size())), "", std::endian::little)
             .read<std::int32_t>();
@@ -81,7 +81,7 @@ std::string exr_problem(std::string_view bytes) {
                         std::int64_t{integer(value + high)} - integer(value + low) + 1;
                     return static_cast<std::uint64_t>(std::max<std::int64_t>(size, 0));
                 };
-                const std::string excess = size_problem(extent(0, 8), extent(4, 12), 1);
+                std::string excess = size_problem(extent(0, 8), extent(4, 12), 1);
                 if (!excess.empty()) return excess;
             }
             at = value + static_cast<std::size_t>(length);

@@ -92,9 +92,8 @@ std::string read_stored(const std::string& path, const std::string& format, Stor
     if (!input->open(path, spec, config)) return input->geterror();
     if (spec.deep || spec.depth > 1) return "deep and volume images are not supported";
     if (spec.width < 1 || spec.height < 1) return "the picture has no pixels";
-    const std::string excess =
-        size_problem(static_cast<std::uint64_t>(spec.width),
-                     static_cast<std::uint64_t>(spec.height), spec.nchannels);
+    std::string excess = size_problem(static_cast<std::uint64_t>(spec.width),
+                                      static_cast<std::uint64_t>(spec.height), spec.nchannels);
     if (!excess.empty()) return excess;
 
     const ChannelOrder order = channel_order(spec);
