@@ -16,5 +16,6 @@ void add_info(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
+void add_stability(CLI::App& app, Action& action);
 
 }  // namespace lancer::cli

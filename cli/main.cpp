@@ -36,6 +36,7 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
     add_export(app, action);
     add_compare(app, action);
     add_validate(app, action);
+    add_stability(app, action);
     for (CLI::App* command : app.get_subcommands({}))
         command->set_version_flag("--version", "lancer " LANCER_VERSION);
     refuse_unknown_command(app, argc, argv);

@@ -2,16 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 
 #include "cli/session.h"
+#include "model/diagnostic.h"
+#include "model/io/temporary_file.h"
 
 namespace lancer::cli {
 
 std::string default_output(const std::string& scene) {
     if (scene == "-") return "stdin.png";
     return std::filesystem::path(scene).filename().replace_extension(".png").string();
+}
+
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+void check_writable(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    const std::string where = folder.empty() ? "." : folder.string();
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(where, ignored))
+        throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", path, where));
+    const io::TemporaryFile trial(where, ending_of(path), path);
+    if (std::filesystem::is_directory(path, ignored))
+        throw FileError(fmt::format("cannot write '{}': it is a folder", path));
 }
 
 FrameNames::FrameNames(const std::string& pattern) {

@@ -9,6 +9,12 @@ namespace lancer::cli {
 /// Where the picture of `scene` goes when nobody says: its name with .png, in the current folder.
 std::string default_output(const std::string& scene);
 
+/// `.png` of `a/B.PNG`: the ending of a file's name in small letters, with its dot.
+std::string ending_of(const std::string& path);
+
+/// Finds out now, not after an hour of tracing, that a file cannot be written. Throws FileError.
+void check_writable(const std::string& path);
+
 /// The names of an animation's pictures, from a pattern with one %d: `out-%d.png`, or
 /// `out-%04d.png` for at least four digits with zeros before, `out-%4d.png` with blanks; %% stands
 /// for a percent sign. A pattern without %d gets `-%04d` before its ending. The pattern never

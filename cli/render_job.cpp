@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "cli/memory_bound.h"
 #include "cli/output_names.h"
@@ -11,20 +10,10 @@
 #include "cli/statistics.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
-#include "model/io/temporary_file.h"
 #include "tracer/render.h"
 
 namespace lancer::cli {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string ending_of(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
 
 /// What can be said of the output's name before any work.
 void check_format(const RenderJob& job, const std::string& output) {
@@ -39,18 +28,6 @@ void check_format(const RenderJob& job, const std::string& output) {
         ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".ppm";
     if (job.image.bits == 16 && !is_deep)
         throw UsageError(fmt::format("--bits 16 is for .png, .tif and .ppm, not for '{}'", output));
-}
-
-/// Finds out now, not after an hour of tracing, that a file cannot be written.
-void check_writable(const std::string& path) {
-    const fs::path folder = fs::path(path).parent_path();
-    const std::string where = folder.empty() ? "." : folder.string();
-    std::error_code ignored;
-    if (!fs::is_directory(where, ignored))
-        throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", path, where));
-    const io::TemporaryFile trial(where, ending_of(path), path);
-    if (fs::is_directory(path, ignored))
-        throw FileError(fmt::format("cannot write '{}': it is a folder", path));
 }
 
 View view_of(const RenderJob& job, const Scene& scene, const Session& session) {

@@ -1,7 +1,9 @@
 // Affine maps: what transforms of the language become.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "model/math.h"
 
@@ -60,6 +62,24 @@ Affine<Real> inverse(const Affine<Real>& m) {
     inv.rows[2] = Vec3<Real>(a.z, b.z, c.z) / d;
     inv.shift = -map_vector(inv, m.shift);
     return inv;
+}
+
+/// How much the map lengthens a vector at most, exact for similarities: the root of the largest
+/// absolute row sum of M^T M. > 0 for a map that is not singular.
+inline double largest_stretch(const Affine<double>& map) {
+    double size = 0;
+    for (const Vec3d& row : map.rows) size = std::max(size, max_component(absolute(row)));
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+        double sum = 0;
+        for (int j = 0; j < 3; ++j) {
+            double product = 0;
+            for (const Vec3d& row : map.rows) product += row[i] / size * (row[j] / size);
+            sum += std::abs(product);
+        }
+        most = std::max(most, sum);
+    }
+    return size * std::sqrt(most);
 }
 
 /// The same map in another number type.

@@ -86,20 +86,4 @@ int scale_exponent(const Scene& scene) {
     return most == -100000 ? 0 : -most;
 }
 
-double largest_stretch(const Affine<double>& map) {
-    double size = 0;
-    for (const Vec3d& row : map.rows) size = std::max(size, largest(row));
-    double most = 0;
-    for (int i = 0; i < 3; ++i) {
-        double sum = 0;
-        for (int j = 0; j < 3; ++j) {
-            double product = 0;
-            for (const Vec3d& row : map.rows) product += row[i] / size * (row[j] / size);
-            sum += std::abs(product);
-        }
-        most = std::max(most, sum);
-    }
-    return size * std::sqrt(most);
-}
-
 }  // namespace lancer

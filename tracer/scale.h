@@ -26,8 +26,4 @@ inline Vec3d scaled(const Vec3d& p, int exponent) {
     return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
 }
 
-/// How much the map lengthens a vector at most, exact for similarities: the root of the largest
-/// absolute row sum of M^T M. > 0.
-double largest_stretch(const Affine<double>& map);
-
 }  // namespace lancer

@@ -54,9 +54,12 @@ std::string rule_name(KnownDifference::Rule rule) {
 ExportResult export_pov(const Scene& scene, const ExportView& view, const ExportOptions& options) {
     assert(view.camera < scene.cameras.size() && view.width > 0 && view.height > 0);
     ExportResult result;
-    const pov::PowerOfTen window = pov::scene_window(scene, view, options.keep_lengths);
+    const pov::PowerOfTen window = options.decades
+                                       ? pov::PowerOfTen{*options.decades}
+                                       : pov::scene_window(scene, view, options.keep_lengths);
     pov::Writer writer{scene, view, options, result, window, {}, {}, {}, {}};
     result.factor = window.factor();
+    result.decades = window.exponent;
     result.exposure = options.exposure;
 
     write_header(writer);

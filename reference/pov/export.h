@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct ExportOptions {
     /// on, but its constants (no hits nearer than 1e-4, no shadows nearer than 1e-3) show in more
     /// pixels.
     bool keep_lengths = false;
+    /// Lengths are multiplied by ten to this power instead, whatever POV-Ray makes of them: for
+    /// finding out where its constants begin to show.
+    std::optional<int> decades{};
 };
 
 /// A file that must stand beside the `.pov`.
@@ -69,6 +73,7 @@ struct ExportResult {
     std::string text;           ///< the `.pov`; empty when something was refused
     std::vector<Asset> assets;  ///< images, by the names that `text` uses
     double factor = 1;    ///< lengths in `text` = lengths in the scene times this power of ten
+    int decades = 0;      ///< its exponent
     double exposure = 1;  ///< as in the options
     std::vector<KnownDifference> known_differences;
     std::vector<Approximation> approximations;

@@ -15,7 +15,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-const std::vector<std::string> commands{"render", "check", "info", "compare"};
+const std::vector<std::string> commands{"render", "check", "info", "compare", "stability"};
 
 TEST(Commands, HelpAndVersionAreEverywhere) {
     const Workplace place;

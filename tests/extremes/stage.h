@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/scene.h"
+#include "model/similar.h"
 #include "tracer/render.h"
 
 namespace lancer::extremes {
@@ -36,12 +37,6 @@ Stage base_stage();
 Mesh icosphere(const Vec3d& center, double radius, int levels);
 Mesh cube(const Vec3d& min, const Vec3d& max);
 
-/// The scene with all its lengths multiplied, written out: what a user does to the file's numbers.
-Scene scaled(Scene scene, double factor);
-/// The scene with `by` added to all places. Planes must have an axis for a normal.
-Scene moved(Scene scene, const Vec3d& by);
-/// The scene with x, y, z renamed y, z, x.
-Scene turned_axes(Scene scene);
 /// The scene with `map` put on every object, camera and light as a group's transform would be.
 Scene under(Scene scene, const Affine<double>& map);
 
