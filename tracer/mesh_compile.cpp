@@ -117,10 +117,11 @@ std::vector<std::uint8_t> inward_faces(const Mesh& mesh) {
 }
 
 template <class Real>
-std::unique_ptr<TriangleMesh<Real>> compile_mesh(std::shared_ptr<const Mesh> source, int exponent,
-                                                 const MeshNeeds& needs, int threads) {
+std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mesh>& source,
+                                                 int exponent, const MeshNeeds& needs,
+                                                 int threads) {
     auto mesh = std::make_unique<TriangleMesh<Real>>();
-    mesh->source = std::move(source);
+    mesh->source = source;
     const Mesh& from = *mesh->source;
     mesh->vertices.reserve(from.vertices.size());
     for (const Vec3d& v : from.vertices)
@@ -146,11 +147,11 @@ std::unique_ptr<TriangleMesh<Real>> compile_mesh(std::shared_ptr<const Mesh> sou
     return mesh;
 }
 
-template std::unique_ptr<TriangleMesh<float>> compile_mesh(std::shared_ptr<const Mesh>, int,
+template std::unique_ptr<TriangleMesh<float>> compile_mesh(const std::shared_ptr<const Mesh>&, int,
                                                            const MeshNeeds&, int);
-template std::unique_ptr<TriangleMesh<double>> compile_mesh(std::shared_ptr<const Mesh>, int,
+template std::unique_ptr<TriangleMesh<double>> compile_mesh(const std::shared_ptr<const Mesh>&, int,
                                                             const MeshNeeds&, int);
-template std::unique_ptr<TriangleMesh<long double>> compile_mesh(std::shared_ptr<const Mesh>, int,
-                                                                 const MeshNeeds&, int);
+template std::unique_ptr<TriangleMesh<long double>> compile_mesh(const std::shared_ptr<const Mesh>&,
+                                                                 int, const MeshNeeds&, int);
 
 }  // namespace lancer

@@ -14,8 +14,8 @@ struct MeshNeeds {
 
 /// \param exponent  vertices are multiplied by 2^exponent
 template <class Real>
-std::unique_ptr<TriangleMesh<Real>> compile_mesh(std::shared_ptr<const Mesh> source, int exponent,
-                                                 const MeshNeeds& needs, int threads);
+std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mesh>& source,
+                                                 int exponent, const MeshNeeds& needs, int threads);
 
 /// Which faces of a closed mesh (model/bodies.h) look inside: one byte per face, 1 for those that
 /// do; empty when all look outside. Faces that turn against their neighbours are turned with them,

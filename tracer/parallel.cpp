@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -75,6 +76,7 @@ void for_each_task(int tasks, int threads, const Progress& progress,
     };
     {
         std::vector<std::unique_ptr<DeepThread>> pool;
+        pool.reserve(static_cast<std::size_t>(std::max(threads, 0)));
         for (int i = 0; i < threads; ++i) pool.push_back(std::make_unique<DeepThread>(body));
         std::unique_lock lock(mutex);
         while (running > 0) {

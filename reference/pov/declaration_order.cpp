@@ -34,6 +34,7 @@ std::vector<std::uint32_t> declaration_order(const Scene& scene, const ExportVie
         if (world.overlaps(eye)) holders.push_back({i, world.diagonal()});
     }
     std::vector<std::uint32_t> places;
+    places.reserve(holders.size());
     for (const Holder& holder : holders) places.push_back(holder.object);
     std::stable_sort(holders.begin(), holders.end(),
                      [](const Holder& a, const Holder& b) { return a.size > b.size; });

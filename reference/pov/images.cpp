@@ -81,7 +81,7 @@ std::string image_file_words(Writer& writer, std::uint32_t index, const SourceSp
     const Asset asset{fmt::format("{}-{}.png", identifier(writer.options.name, 64), index),
                       io::encode_png(image, {chosen.bits, !chosen.srgb}, scene_image.path)};
     writer.result.assets.push_back(asset);
-    const std::string words =
+    std::string words =
         fmt::format("png \"{}\" gamma {}", asset.name, chosen.srgb ? "srgb" : "1.0");
     writer.image_words.emplace(index, words);
     return words;

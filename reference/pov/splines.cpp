@@ -155,7 +155,7 @@ int halvings(const Scene& scene, double bend, double size) {
     for (const Object& object : scene.objects)
         if (const auto* shape = std::get_if<PatchRef>(&object.shape)) {
             const Patch& p = scene.patches[shape->patch];
-            patches += (p.rows - 3) * (p.columns - 3);
+            patches += std::size_t{p.rows - 3} * (p.columns - 3);
         }
     int steps = 3;
     for (double error = bend / 64; error > 1e-6 * size && steps < 9; error /= 4) ++steps;

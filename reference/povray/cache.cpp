@@ -39,7 +39,7 @@ std::string framed(std::string_view part) {
 }  // namespace
 
 std::string cache_folder() {
-    if (const std::string own = environment("LANCER_CACHE"); !own.empty()) return own;
+    if (std::string own = environment("LANCER_CACHE"); !own.empty()) return own;
     if (const std::string base = environment("XDG_CACHE_HOME"); !base.empty())
         return (fs::path(base) / "lancer").string();
     if (const std::string home = environment("HOME"); !home.empty())

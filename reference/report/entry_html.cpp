@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "reference/compare/color_map.h"
@@ -49,7 +50,7 @@ std::string heat_legend(const ReportEntry& entry) {
     const auto srgb = [](double v) {
         const double encoded =
             v <= 0.0031308 ? 12.92 * v : 1.055 * elementary::pow(v, 1 / 2.4) - 0.055;
-        return static_cast<int>(std::clamp(encoded, 0.0, 1.0) * 255 + 0.5);
+        return std::lround(std::clamp(encoded, 0.0, 1.0) * 255);
     };
     std::string html = "<div class=\"scale\" style=\"background:linear-gradient(to right";
     for (int i = 0; i <= 10; ++i) {
