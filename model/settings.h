@@ -15,8 +15,8 @@ struct Settings {
     bool shadows = true;
     bool smooth = true;    ///< interpolated normals
     bool textures = true;  ///< false: plain colours
-    /// Bound on the distance of a tessellated surface from the true one, in world units. Without
-    /// it 1/2000 of the diagonal of the surface's control hull.
+    /// Bound on the distance of what is drawn from the true surface, in world units: patches become
+    /// triangles. Without it they are met on their true surface, unless one has a tolerance.
     std::optional<double> tolerance;
     Precision precision = Precision::double_;
     int threads = 0;  ///< 0 = as many as the machine has

@@ -57,6 +57,11 @@ Bounds<Real> solid_bounds(const PatchSolid<Real>& s) {
 }
 
 template <class Real>
+Bounds<Real> solid_bounds(const BicubicSolid<Real>& s) {
+    return s.surface->bounds();
+}
+
+template <class Real>
 Bounds<Real> solid_bounds(const LatheSolid<Real>& s) {
     const splines::Curve<Real>& c = s.surface->curve;
     Bounds<Real> b{Vec3<Real>(-c.max.x, c.min.y, -c.max.x), Vec3<Real>(c.max.x, c.max.y, c.max.x)};

@@ -77,6 +77,9 @@ class RendererOf final : public Renderer {
                 c.nodes += mesh->bvh.nodes.size();
             }
         }
+        for (const auto& patch : world_->bicubics) {
+            if (const auto* tree = patch->built()) c.nodes += tree->bvh.nodes.size();
+        }
         return c;
     }
 

@@ -42,7 +42,12 @@ template <class Real>
 class Solids {
   public:
     Solids(const Scene& scene, const Settings& settings, World<Real>& world)
-        : scene_(scene), settings_(settings), world_(world) {}
+        : scene_(scene),
+          settings_(settings),
+          world_(world),
+          tessellated_(settings.tolerance || std::ranges::any_of(scene.patches, [](const Patch& p) {
+                           return p.tolerance.has_value();
+                       })) {}
 
     /// \param mesh  the compiled mesh, for a MeshRef
     Primitive<Real> make(const Object& object, const TriangleMesh<Real>* mesh) {
@@ -293,6 +298,7 @@ class Solids {
     Solid<Real> solid(const PatchRef& ref, int own, const Affine<Real>& map,
                       const TriangleMesh<Real>*, Primitive<Real>& p) {
         if (!is_identity(map)) add_frame(map, p);
+        if (!tessellated_) return bicubic(ref, own);
         const auto tolerance = own_tolerance(ref);
         auto& surface = patches_[{ref.patch, own, tolerance}];
         if (surface == nullptr) {
@@ -305,6 +311,16 @@ class Solids {
             surface = world_.patches.back().get();
         }
         return PatchSolid<Real>{surface, settings_.smooth};
+    }
+
+    Solid<Real> bicubic(const PatchRef& ref, int own) {
+        auto& surface = bicubics_[{ref.patch, own}];
+        if (surface == nullptr) {
+            world_.bicubics.push_back(
+                std::make_unique<BicubicSurface<Real>>(scene_.patches[ref.patch], own));
+            surface = world_.bicubics.back().get();
+        }
+        return BicubicSolid<Real>{surface};
     }
 
     /// The tolerance of a patch in its own space: the strictest of what is asked of it. That of the
@@ -345,10 +361,14 @@ class Solids {
     const Scene& scene_;
     const Settings& settings_;
     World<Real>& world_;
+    /// Patches are triangles where anybody asks for a tolerance, else met on their true surface.
+    /// All in one way: between a triangle and its neighbour's true border light would pass.
+    bool tessellated_;
     const Object* object_ = nullptr;  ///< the one being made
     /// Patches that stand in several places are tessellated once for each tolerance.
     std::map<std::tuple<std::uint32_t, int, std::optional<double>>, const PatchSurface<Real>*>
         patches_;
+    std::map<std::pair<std::uint32_t, int>, const BicubicSurface<Real>*> bicubics_;
 };
 
 }  // namespace lancer

@@ -9,6 +9,7 @@
 
 #include "model/scene.h"
 #include "tracer/bvh.h"
+#include "tracer/shapes/bicubic.h"
 #include "tracer/shapes/box.h"
 #include "tracer/shapes/frustum.h"
 #include "tracer/shapes/lathe.h"
@@ -26,7 +27,7 @@ namespace lancer {
 template <class Real>
 using Solid = std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
                            TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>,
-                           LatheSolid<Real>, PrismSolid<Real>>;
+                           BicubicSolid<Real>, LatheSolid<Real>, PrismSolid<Real>>;
 
 template <class Real>
 struct Primitive {
@@ -91,6 +92,7 @@ struct World {
         mediums;  ///< primitives that are media: largest box first, then declaration
     std::vector<std::unique_ptr<TriangleMesh<Real>>> meshes;
     std::vector<std::unique_ptr<PatchSurface<Real>>> patches;
+    std::vector<std::unique_ptr<BicubicSurface<Real>>> bicubics;
     std::vector<std::unique_ptr<splines::Revolution<Real>>> revolutions;
     std::vector<std::unique_ptr<splines::Extrusion<Real>>> extrusions;
     std::vector<std::array<Vec3<Real>, 3>> corner_normals;  ///< unit, in the primitive's space

@@ -58,8 +58,7 @@ constexpr Field render_fields[] = {
                                           "false: no interpolated normals, faster"),
     field<&Settings::textures, rules::Flag>("textures", "true", "false: plain colours"),
     field<&Settings::tolerance, rules::Positive>(
-        "tolerance", "1/2000 of the control hull's diagonal",
-        "how far a tessellated surface may be from the true one"),
+        "tolerance", "true surfaces", "how far a tessellated surface may be from the true one"),
 };
 constexpr Field camera_fields[] = {
     field<&CameraSpec::position, rules::Vector>("position", required, "where it stands"),

@@ -1,4 +1,5 @@
-// Patches: triangles that stand in for the surface, made when the first ray comes near it.
+// Patches of which a tolerance is asked: triangles that stand in for the surface, made when the
+// first ray comes near it. Others: tracer/shapes/bicubic.h.
 #pragma once
 
 #include <atomic>

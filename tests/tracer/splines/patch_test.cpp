@@ -1,0 +1,374 @@
+// Patches met on their true surface.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "model/patch_net.h"
+#include "tracer/render.h"
+#include "tracer/shapes/bicubic.h"
+
+namespace lancer {
+namespace {
+
+using Wide = long double;
+
+Patch random_patch(unsigned seed, double factor, double bend) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> shift(-1, 1);
+    Patch patch;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            patch.control.push_back(Vec3d(j - 1.5 + 0.4 * shift(generator), bend * shift(generator),
+                                          i - 1.5 + 0.4 * shift(generator)) *
+                                    (factor / 3));
+        }
+    }
+    return patch;
+}
+
+template <class Real>
+splines::Bicubic<Real> points(const Patch& patch) {
+    const BezierPatch p = bezier_net(patch).patch(0, 0);
+    splines::Bicubic<Real> q;
+    for (std::size_t i = 0; i < 16; ++i) q[i] = convert<Real>(p[i]);
+    return q;
+}
+
+struct Met {
+    double t;
+    double error;
+    SurfacePoint<double> point;
+};
+
+std::vector<Met> meetings(const BicubicSurface<double>& surface, const Ray<double>& ray) {
+    std::vector<Met> met;
+    const BicubicSolid<double> solid{&surface};
+    crossings(
+        solid, ray, -std::numeric_limits<double>::infinity(),
+        [] { return std::numeric_limits<double>::infinity(); },
+        [&](const Crossing<double>& c, double u, double v) {
+            met.push_back({c.t, c.error, bicubic_point(solid, c.face, u, v)});
+            return false;
+        });
+    return met;
+}
+
+TEST(TruePatch, EveryPointOfTheSurfaceIsMetByEveryRayToIt) {
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::normal_distribution<double> normal;
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        for (const double factor : {1.0, 1e9, 1e-9, 1e90, 1e-90}) {
+            if (factor != 1 && seed > 3) continue;
+            const Patch patch = random_patch(seed, factor, seed % 3);
+            const auto exact = points<Wide>(patch);
+            // As compile does, the patch is traced at a size near 1.
+            const int exponent = -std::ilogb(factor);
+            const BicubicSurface<double> surface(patch, exponent);
+            for (int i = 0; i < 400; ++i) {
+                // Also on the border, where a neighbour would be.
+                const auto at = [&](int kind) {
+                    return kind == 0 ? 0.0 : kind == 1 ? 1.0 : share(generator);
+                };
+                const double u = at(i % 5);
+                const double v = at(i % 7);
+                const Vec3<Wide> target =
+                    std::ldexp(Wide(1), exponent) *
+                    splines::sample(exact, splines::Place<Wide>(u), splines::Place<Wide>(v)).point;
+                const Vec3d from(3 * normal(generator), 3 * normal(generator),
+                                 3 * normal(generator));
+                const Vec3<Wide> way = target - convert<Wide>(from);
+                const Wide distance = length(way);
+                const Ray<double> ray =
+                    make_ray(from, Vec3d(0), convert<double>(way / distance), 0.0);
+                Wide nearest = std::numeric_limits<Wide>::infinity();
+                for (const Met& met : meetings(surface, ray)) {
+                    const Wide off = std::abs(met.t - distance);
+                    nearest = std::min(nearest, off);
+                    const Vec3<Wide> point =
+                        convert<Wide>(met.point.anchor) + convert<Wide>(met.point.offset);
+                    // The ray's direction is rounded, by an angle of some roundings.
+                    const Wide wrong = length(cross(point - convert<Wide>(from), way / distance));
+                    EXPECT_LE(wrong, 1e-14L + 8 * met.error) << seed << " " << i;
+                    if (off > 2 * met.error + 1e-14L) continue;
+                    EXPECT_LE(length(point - target), 1e-14L + 1e3L * met.error);
+                }
+                // At grazing incidence the direction's rounding moves the meeting far.
+                EXPECT_LE(nearest, 1e-9L) << seed << " " << factor << " " << i;
+            }
+        }
+    }
+}
+
+/// Bound on the distance of q from the patch: the best found by Gauss-Newton steps from (u, v).
+Wide distance(const splines::Bicubic<Wide>& p, const Vec3<Wide>& q, Wide u, Wide v) {
+    Wide best = std::numeric_limits<Wide>::infinity();
+    for (int i = 0; i < 4; ++i) {
+        const auto s = splines::sample(p, splines::Place<Wide>(u), splines::Place<Wide>(v));
+        const Vec3<Wide> d = q - s.point;
+        best = std::min(best, length(d));
+        const Wide a = dot(s.du, s.du), b = dot(s.du, s.dv), c = dot(s.dv, s.dv);
+        const Wide det = a * c - b * b;
+        if (!(det > 0)) break;
+        const Wide x = dot(s.du, d), y = dot(s.dv, d);
+        u = std::clamp<Wide>(u + (c * x - b * y) / det, 0, 1);
+        v = std::clamp<Wide>(v + (a * y - b * x) / det, 0, 1);
+    }
+    return best;
+}
+
+TEST(TruePatch, WhatIsMetLiesOnTheSurfaceAndTIsWithinItsBound) {
+    std::mt19937 generator(6);
+    std::normal_distribution<double> normal;
+    int met_at_all = 0;
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        const Patch patch = random_patch(seed, 1, 1 + seed % 3);
+        const auto exact = points<Wide>(patch);
+        const BicubicSurface<double> surface(patch, 0);
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3d from = Vec3d(normal(generator), normal(generator), normal(generator)) * 3.0;
+            const Vec3d towards =
+                Vec3d(normal(generator), normal(generator), normal(generator)) * 0.4;
+            const Ray<double> ray = make_ray(from, Vec3d(0), normalize(towards - from), 0.0);
+            for (const Met& met : meetings(surface, ray)) {
+                ++met_at_all;
+                const Vec3<Wide> point =
+                    convert<Wide>(met.point.anchor) + convert<Wide>(met.point.offset);
+                const Wide off =
+                    distance(exact, point, met.point.parameter.x, met.point.parameter.y);
+                EXPECT_LE(off, 1e-14L) << seed << " " << i;
+                EXPECT_LE(off, met.point.error) << seed << " " << i;
+                const Vec3<Wide> along =
+                    convert<Wide>(ray.origin) + Wide(met.t) * convert<Wide>(ray.dir);
+                EXPECT_LE(length(along - point), 4 * met.error + 1e-15L) << seed << " " << i;
+            }
+        }
+    }
+    EXPECT_GT(met_at_all, 4000);
+}
+
+/// Two bent patches with one border curve, the second turned round, and a net of many.
+std::vector<Patch> neighbours(bool with_pole) {
+    Patch first = random_patch(3, 3, 1);
+    Patch second = random_patch(4, 3, 1);
+    for (Vec3d& p : second.control) p.z += 3;
+    for (std::size_t i = 0; i < 4; ++i) second.control[i] = first.control[12 + i];
+    if (with_pole) {
+        for (std::size_t i = 0; i < 4; ++i) second.control[12 + i] = second.control[12];
+    }
+    std::ranges::reverse(second.control);
+    return {first, second};
+}
+
+struct View3 {
+    Vec3d at;
+    Vec3d from;
+};
+
+/// Lit pixels of a black surface that covers the picture, before a white world.
+int leaks(const std::vector<Patch>& patches, const View3& view, double height, int size) {
+    Scene scene;
+    scene.background = {1, 1, 1};
+    Material black;
+    black.color = {0, 0, 0};
+    scene.materials.push_back(black);
+    scene.patches = patches;
+    for (std::uint32_t i = 0; i < patches.size(); ++i) {
+        Object object;
+        object.shape = PatchRef{i};
+        object.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+        scene.objects.push_back(object);
+    }
+    Camera camera;
+    camera.position = view.from;
+    camera.look_at = view.at;
+    camera.up = {0.31, 0.2, 0.9};
+    camera.projection = OrthographicProjection{height};
+    scene.cameras.push_back(camera);
+    RayCounts counts;
+    const Image image =
+        compile(scene, scene.settings)->render({0, size, size, {}, false}, {}, counts);
+    int lit = 0;
+    for (const double value : image.data) lit += value > 0;
+    return lit;
+}
+
+TEST(TruePatch, NothingShinesThroughACommonBorderAtAnyZoom) {
+    const std::vector<Patch> two = neighbours(false);
+    for (const double s : {0.25, 1.0 / 3, 0.5, 0.77}) {
+        const auto border = points<double>(two[0]);
+        const Vec3d at = splines::cubic(border[12], border[13], border[14], border[15],
+                                        splines::Place<double>(s))
+                             .first;
+        for (const Vec3d& way : {Vec3d(0.1, 4, 0.2), Vec3d(1, 3, 0.9), Vec3d(-0.3, -2, 0.4)}) {
+            for (double height = 0.05; height > 1e-13; height /= 32) {
+                EXPECT_EQ(leaks(two, {at, at + way}, height, 64), 0) << s << " " << height;
+            }
+        }
+    }
+}
+
+TEST(TruePatch, NothingShinesThroughTheInsideAtAnyZoom) {
+    // Where pieces meet: at halves and quarters; and at a pole.
+    const Patch patch = random_patch(7, 3, 1);
+    const auto p = points<double>(patch);
+    for (const double u : {0.5, 0.25, 0.125}) {
+        for (const double v : {0.5, 0.75, 0.3}) {
+            const Vec3d at =
+                splines::sample(p, splines::Place<double>(u), splines::Place<double>(v)).point;
+            for (double height = 0.02; height > 1e-13; height /= 64)
+                EXPECT_EQ(leaks({patch}, {at, at + Vec3d(0.4, 3, -0.2)}, height, 48), 0)
+                    << u << " " << v << " " << height;
+        }
+    }
+    // A closed cap: an eighth of a ball, twice, mirrored.
+    const double k = 0.5522847498;
+    Patch cap;
+    for (const Vec2d& a : {Vec2d{0, 1}, {k, 1}, {1, k}, {1, 0}}) {
+        for (const Vec2d& t : {Vec2d{1, 0}, {1, k}, {k, 1}, {0, 1}})
+            cap.control.emplace_back(a.x * t.x, a.y, a.x * t.y);
+    }
+    std::vector<Patch> ball;
+    for (const double x : {1.0, -1.0}) {
+        for (const double z : {1.0, -1.0}) {
+            ball.push_back(cap);
+            for (Vec3d& q : ball.back().control) q = {x * q.x, q.y, z * q.z};
+        }
+    }
+    const Vec3d pole(0, 1, 0);
+    for (double height = 0.1; height > 1e-13; height /= 16) {
+        EXPECT_EQ(leaks(ball, {pole, {0.2, 4, 0.1}}, height, 64), 0) << height;
+        EXPECT_EQ(leaks(ball, {pole, {0, 4, 0}}, height, 65), 0) << height;
+    }
+}
+
+Scene lit(const Patch& patch) {
+    Scene scene;
+    scene.settings.min_contribution = 0;
+    scene.patches.push_back(patch);
+    Object object;
+    object.shape = PatchRef{0};
+    scene.objects.push_back(object);
+    Camera camera;
+    camera.position = {0.5, 3, 2};
+    camera.look_at = {0, 0, 0};
+    camera.projection = PerspectiveProjection{30};
+    scene.cameras.push_back(camera);
+    Light light;
+    light.kind = PointLight{{3, 4, 1}, {}};
+    scene.lights.push_back(light);
+    return scene;
+}
+
+Image picture(const Scene& scene, int size = 120) {
+    RayCounts counts;
+    return compile(scene, scene.settings)->render({0, size, size, {}, false}, {}, counts);
+}
+
+int different(const Image& a, const Image& b, double by) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i) count += std::abs(a.data[i] - b.data[i]) > by;
+    return count;
+}
+
+TEST(TruePatch, ShadowsAreThoseOfLongDouble) {
+    // What a patch throws on itself: a ray that starts on it must not meet it there.
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        Scene scene = lit(random_patch(seed, 3, seed % 2 + 0.5));
+        scene.lights.front().kind = PointLight{{3, 0.8, 1}, {}};
+        const Image image = picture(scene);
+        scene.settings.precision = Precision::extended;
+        EXPECT_LE(different(image, picture(scene), 1e-6), 0) << seed;
+    }
+}
+
+TEST(TruePatch, IsWhatFinerAndFinerTrianglesShow) {
+    Scene scene = lit(random_patch(2, 3, 1));
+    const Image truth = picture(scene);
+    double before = 1;
+    for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+        scene.settings.tolerance = tolerance;
+        const Image image = picture(scene);
+        double sum = 0;
+        for (std::size_t i = 0; i < image.data.size(); ++i)
+            sum += std::pow(image.data[i] - truth.data[i], 2);
+        const double rmse = std::sqrt(sum / static_cast<double>(image.data.size()));
+        EXPECT_LT(rmse, before / 2) << tolerance;
+        EXPECT_GT(rmse, 0);
+        before = rmse;
+    }
+    EXPECT_LT(before, 1e-3);
+}
+
+TEST(TruePatch, ScalingChangesNothing) {
+    Scene scene = lit(random_patch(2, 3, 1));
+    const Image truth = picture(scene);
+    for (const int exponent : {-100, -30, 30, 100}) {
+        Scene other = scene;
+        const double factor = std::ldexp(1.0, exponent);
+        for (Vec3d& p : other.patches[0].control) p *= factor;
+        other.cameras[0].position *= factor;
+        other.lights[0].kind = PointLight{Vec3d(3, 4, 1) * factor, {}};
+        EXPECT_EQ(picture(other).data, truth.data) << exponent;
+    }
+}
+
+TEST(TruePatch, TheSameBytesForAnyNumberOfThreads) {
+    Scene scene = lit(random_patch(2, 3, 1));
+    scene.settings.threads = 1;
+    const Image one = picture(scene);
+    scene.settings.threads = 7;
+    EXPECT_EQ(picture(scene).data, one.data);
+}
+
+TEST(TruePatch, AColouredPaneTintsOnce) {
+    // Flat, so that everything behind it shows the same colour: at the pieces' borders too.
+    Patch pane;
+    for (int i = 0; i < 16; ++i) pane.control.emplace_back((i % 4) * 2 - 3, 0, (i / 4) * 2 - 3);
+    // Uneven, so that it is cut into pieces.
+    for (int i : {5, 6, 9, 10}) pane.control[static_cast<std::size_t>(i)] *= 0.2;
+    Scene scene = lit(pane);
+    scene.background = {1, 1, 1};
+    Material& tinted = scene.materials[0];
+    tinted.ambient = tinted.diffuse = 0;
+    tinted.filter = 1;
+    tinted.color = {0.5, 0.25, 0.125};
+    scene.cameras[0].position = {0, 4, 0};
+    scene.cameras[0].up = {0, 0, 1};
+    scene.cameras[0].projection = OrthographicProjection{2};
+    const Image image = picture(scene, 129);  // its middle row and column on the pieces' borders
+    const double* first = image.pixel(0, 0);
+    EXPECT_NEAR(first[0], 0.5, 1e-12);
+    for (int y = 0; y < 129; ++y) {
+        for (int x = 0; x < 129; ++x) EXPECT_EQ(image.pixel(x, y)[0], first[0]) << x << " " << y;
+    }
+}
+
+TEST(TruePatch, DegeneratePatchesAreMetInFiniteTime) {
+    std::mt19937 generator(8);
+    std::uniform_int_distribution<int> which(0, 15);
+    for (unsigned round = 0; round < 60; ++round) {
+        Patch patch = random_patch(round, 3, 1);
+        for (unsigned k = 0; k < round % 15; ++k)
+            patch.control[static_cast<std::size_t>(which(generator))] =
+                patch.control[static_cast<std::size_t>(which(generator))];
+        for (const double value : picture(lit(patch), 40).data) ASSERT_TRUE(std::isfinite(value));
+    }
+    // Seen exactly edge-on, and along its rulings.
+    for (const bool bent : {false, true}) {
+        Patch sheet;
+        for (int i = 0; i < 16; ++i)
+            sheet.control.emplace_back(i % 4 - 1.5, bent ? (i % 4 == 0 || i % 4 == 3 ? 0 : 1) : 0,
+                                       i / 4 - 1.5);
+        Scene scene = lit(sheet);
+        scene.cameras[0].position = {0, 0, 5};
+        scene.cameras[0].projection = OrthographicProjection{3};
+        for (const double value : picture(scene, 41).data) ASSERT_TRUE(std::isfinite(value));
+    }
+}
+
+}  // namespace
+}  // namespace lancer

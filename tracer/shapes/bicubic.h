@@ -1,0 +1,155 @@
+// Patches met on their true surface, piece by piece.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+#include "model/shapes.h"
+#include "tracer/bvh.h"
+#include "tracer/splines/pieces.h"
+
+namespace lancer {
+
+/// A patch or net cut into pieces, with a tree over them.
+template <class Real>
+struct PieceTree {
+    struct Home {
+        Vec3<Real> anchor;              ///< a control point of the Bezier patch
+        Real size;                      ///< the others are at most this far from it, by coordinate
+        splines::Bicubic<Real> points;  ///< relative to `anchor`
+        Real column, row;               ///< where the patch lies in its net
+    };
+    std::vector<Home> homes;
+    std::vector<splines::Piece<Real>> pieces;
+    std::vector<std::uint32_t> home;  ///< of each piece
+    Real columns = 1, rows = 1;       ///< of the net
+    Bvh<Real> bvh;
+};
+
+template <class Real>
+PieceTree<Real> make_piece_tree(const Patch& patch, int exponent);
+
+/// A patch or net of the scene. What no ray comes near is never cut; the result does not depend on
+/// who asks first.
+template <class Real>
+class BicubicSurface {
+  public:
+    /// \param exponent  its points are the patch's own times 2^exponent
+    BicubicSurface(Patch patch, int exponent);
+
+    /// Safe from many threads: one builds, the others wait.
+    const PieceTree<Real>& tree() const {
+        const PieceTree<Real>* ready = ready_.load(std::memory_order_acquire);
+        return ready != nullptr ? *ready : build();
+    }
+    const PieceTree<Real>* built() const { return ready_.load(std::memory_order_acquire); }
+    /// Of the control points, which hold the surface.
+    const Bounds<Real>& bounds() const { return bounds_; }
+
+  private:
+    const PieceTree<Real>& build() const;
+
+    Patch patch_;
+    int exponent_;
+    Bounds<Real> bounds_;
+    mutable std::mutex building_;
+    mutable std::unique_ptr<const PieceTree<Real>> tree_;
+    mutable std::atomic<const PieceTree<Real>*> ready_{nullptr};
+};
+
+/// One place where a patch stands. Faces are its pieces.
+template <class Real>
+struct BicubicSolid {
+    const BicubicSurface<Real>* surface;
+};
+
+/// The crossings with one piece. Seen along the ray its points are a map of the plane, whose zeros
+/// are the crossings; the coordinate along the ray then gives t.
+template <class Real, class Report>
+void piece_crossings(const PieceTree<Real>& tree, std::uint32_t index, const Ray<Real>& ray,
+                     Report&& report) {
+    using std::abs;
+    const splines::Piece<Real>& piece = tree.pieces[index];
+    const auto& home = tree.homes[tree.home[index]];
+    const Shear<Real>& s = ray.shear;
+    const Vec3<Real> start = start_from(ray, home.anchor);
+    const auto axis = [&](int k) -> const std::array<Real, 16>& {
+        return piece.c[static_cast<std::size_t>(k)];
+    };
+    const auto& along = axis(s.z);
+    splines::PlaneNet<Real> net;
+    const Real x0 = start[s.x] - s.sx * start[s.z];
+    const Real y0 = start[s.y] - s.sy * start[s.z];
+    for (std::size_t i = 0; i < 16; ++i) {
+        net.x[i] = (axis(s.x)[i] - s.sx * along[i]) - x0;
+        net.y[i] = (axis(s.y)[i] - s.sy * along[i]) - y0;
+    }
+    // The cuts rounded the points, 3 times a level, and the start and the shear once or twice each.
+    const Real away = max_component(absolute(start));
+    const Real noise = gamma<Real>(32) * home.size + gamma<Real>(8) * away + 2 * ray.origin_error;
+    const auto found = [&](const splines::PlaneZero<Real>& zero) {
+        const splines::CubicBasis<Real> bu(zero.u);
+        const splines::CubicBasis<Real> bv(zero.v);
+        const splines::BicubicValue<Real> z(along, bu, bv);
+        const splines::BicubicValue<Real> x(net.x, bu, bv);
+        const splines::BicubicValue<Real> y(net.y, bu, bv);
+        Crossing<Real> c;
+        c.t = (z.value - start[s.z]) * s.sz;
+        c.error = abs(s.sz) * (noise + abs(z.du) * zero.slack_u + abs(z.dv) * zero.slack_v) +
+                  gamma<Real>(3) * abs(c.t);
+        c.face = index;
+        c.entering = x.du * y.dv - x.dv * y.du > 0;
+        report(c, zero.u, zero.v);
+    };
+    splines::PlaneZeros<Real, decltype(found)>(noise, found).search(net);
+}
+
+template <class Real, class Limit, class Report>
+void crossings(const BicubicSolid<Real>& solid, const Ray<Real>& ray, Real t_min, Limit&& limit,
+               Report&& report) {
+    const PieceTree<Real>& tree = solid.surface->tree();
+    traverse(tree.bvh, ray, t_min, limit, [&](std::uint32_t first, std::uint32_t count) {
+        bool stop = false;
+        for (std::uint32_t i = first; i < first + count && !stop; ++i) {
+            piece_crossings(
+                tree, tree.bvh.order[i], ray,
+                [&](const Crossing<Real>& c, Real u, Real v) { stop = stop || report(c, u, v); });
+        }
+        return stop;
+    });
+}
+
+/// The point at (u, v) of a piece.
+template <class Real>
+SurfacePoint<Real> bicubic_point(const BicubicSolid<Real>& solid, std::uint32_t index, Real u,
+                                 Real v) {
+    const PieceTree<Real>& tree = solid.surface->tree();
+    const splines::Piece<Real>& piece = tree.pieces[index];
+    const auto& home = tree.homes[tree.home[index]];
+    const splines::CubicBasis<Real> bu(u);
+    const splines::CubicBasis<Real> bv(v);
+    SurfacePoint<Real> p;
+    Vec3<Real> du(0);
+    Vec3<Real> dv(0);
+    for (int k = 0; k < 3; ++k) {
+        const splines::BicubicValue<Real> at(piece.c[static_cast<std::size_t>(k)], bu, bv);
+        p.offset[k] = at.value;
+        du[k] = at.du;
+        dv[k] = at.dv;
+    }
+    p.anchor = home.anchor;
+    p.error = gamma<Real>(32) * home.size;
+    const Vec2<Real> place(piece.u0 + piece.du * u, piece.v0 + piece.dv * v);
+    p.normal = cross(du, dv);
+    if (!(length_squared(p.normal) >
+          gamma<Real>(64) * length_squared(du) * length_squared(dv) * gamma<Real>(64)))
+        p.normal = splines::normal(home.points, place.x, place.y);
+    if (p.normal == Vec3<Real>(0)) p.normal = Vec3<Real>(0, 1, 0);
+    p.shading = p.normal;
+    p.parameter =
+        Vec2<Real>((home.column + place.x) / tree.columns, (home.row + place.y) / tree.rows);
+    return p;
+}
+
+}  // namespace lancer

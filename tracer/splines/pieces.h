@@ -1,0 +1,92 @@
+// A bicubic patch cut into pieces that are nearly flat and evenly parametrised, so that Newton's
+// method meets each at once: Martin, Cohen, Fish, Shirley, "Practical ray tracing of trimmed NURBS
+// surfaces", JGT 5(1) 2000, section 3.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tracer/splines/bicubic.h"
+#include "tracer/splines/plane_zeros.h"
+
+namespace lancer::splines {
+
+/// A part of a Bezier patch: its own 16 control points, by coordinate, and where it lies.
+template <class Real>
+struct Piece {
+    std::array<std::array<Real, 16>, 3> c;  ///< relative to a point that the whole patch shares
+    Real u0, v0, du, dv;                    ///< its square in the patch's
+};
+
+/// Whether the surface bends little enough over the piece: its slopes differ from their mean by
+/// less than `most` of it, measured along the piece's own two directions and across them.
+template <class Real>
+bool is_even(const Piece<Real>& piece, Real most) {
+    const auto at = [&](std::size_t i) {
+        return Vec3<Real>(piece.c[0][i], piece.c[1][i], piece.c[2][i]);
+    };
+    const Vec3<Real> u = ((at(3) - at(0)) + (at(15) - at(12))) / Real(2);
+    const Vec3<Real> v = ((at(12) - at(0)) + (at(15) - at(3))) / Real(2);
+    const Vec3<Real> n = cross(u, v);
+    const Real nn = length_squared(n);
+    if (!(nn > 0)) return false;
+    // Rows of the inverse of (u, v, n / |n|), the last one in units of the shorter direction.
+    const Vec3<Real> a = cross(v, n) / nn;
+    const Vec3<Real> b = cross(n, u) / nn;
+    const Vec3<Real> up = n / std::sqrt(nn * std::min(length_squared(u), length_squared(v)));
+    const auto off = [&](const Vec3<Real>& slope, Real along_u, Real along_v) {
+        using std::abs;
+        return std::max(
+            {abs(dot(a, slope) - along_u), abs(dot(b, slope) - along_v), abs(dot(up, slope))});
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const std::size_t along = 4 * i + j;
+            const std::size_t across = 4 * j + i;
+            if (off(Real(3) * (at(along + 1) - at(along)), 1, 0) > most) return false;
+            if (off(Real(3) * (at(across + 4) - at(across)), 0, 1) > most) return false;
+        }
+    }
+    return true;
+}
+
+/// Halves a piece until its parts are even, or `levels` times.
+template <class Real>
+void cut(const Piece<Real>& piece, Real most, int levels, std::vector<Piece<Real>>& pieces) {
+    if (levels == 0 || is_even(piece, most)) {
+        pieces.push_back(piece);
+        return;
+    }
+    // Across the longer direction.
+    Real longest[2] = {0, 0};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::size_t step = k == 0 ? 1 : 4;
+        for (std::size_t i = 0; i < 4; ++i) {
+            Real length = 0;
+            for (std::size_t j = 0; j < 3; ++j) {
+                const std::size_t p = k == 0 ? 4 * i + j : 4 * j + i;
+                Real squared = 0;
+                for (const auto& c : piece.c)
+                    squared += (c[p + step] - c[p]) * (c[p + step] - c[p]);
+                length += std::sqrt(squared);
+            }
+            longest[k] = std::max(longest[k], length);
+        }
+    }
+    const bool by_u = longest[0] >= longest[1];
+    Piece<Real> low = piece;
+    Piece<Real> high = piece;
+    for (std::size_t k = 0; k < 3; ++k) halve(piece.c[k], by_u, low.c[k], high.c[k]);
+    if (by_u) {
+        low.du = high.du = piece.du / 2;
+        high.u0 += high.du;
+    } else {
+        low.dv = high.dv = piece.dv / 2;
+        high.v0 += high.dv;
+    }
+    cut(low, most, levels - 1, pieces);
+    cut(high, most, levels - 1, pieces);
+}
+
+}  // namespace lancer::splines
