@@ -11,6 +11,7 @@
 #include "reference/povray/process.h"
 #include "tests/reference/pov/pair_scenes.h"
 #include "tests/reference/pov/povray_fixture.h"
+#include "tests/reference/pov/scene_kit.h"
 
 namespace lancer::reference {
 namespace {
@@ -136,6 +137,49 @@ TEST_F(Validate, CatchesACameraOffByAFiveThousandthOfAPixel) {
         EXPECT_TRUE(v.judgement.picture_shift.is_significant(1e-3, 5) ||
                     v.judgement.count(PixelClass::unexplained) > 0)
             << said(v);
+    }
+}
+
+TEST_F(Validate, CatchesAFlippedNormal) {
+    // A smooth triangle, and one of its three normals to the other side.
+    Scene scene = solids_scene();
+    const std::uint32_t red = scene.objects[1].material;
+    scene.triangle_attributes.push_back({});
+    scene.triangle_attributes[0].normals = {Vec3d(-0.3, 0, 1), Vec3d(0.3, 0, 1), Vec3d(0, 0.3, 1)};
+    add_object(scene, Triangle{{Vec3d(-1, 0.6, 3), Vec3d(1, 0.6, 3), Vec3d(0, 2.2, 2)}, 0}, red);
+    EXPECT_EQ(validate(scene).verdict, Verdict::agrees);
+    expect_caught(
+        scene,
+        [](Scene& ours) {
+            Vec3d& normal = (*ours.triangle_attributes[0].normals)[1];
+            normal = -normal;
+        },
+        500);
+}
+
+TEST_F(Validate, CatchesBodiesTakenInTheOtherOrder) {
+    // The camera is inside two bodies, declared in either order. A renderer that takes the one
+    // declared first for the medium round the camera sees the inner one's index as the outer one's.
+    for (const bool inner_first : {false, true}) {
+        Scene scene = glass_nested_scene();
+        Material outer;
+        outer.diffuse = outer.ambient = 0;
+        outer.transmission = 1;
+        outer.ior = 1.5;
+        Material inner = outer;
+        inner.ior = 1.2;
+        const Vec3d eye = scene.cameras[0].position;
+        const std::uint32_t outer_material = add_material(scene, outer);
+        const std::uint32_t inner_material = add_material(scene, inner);
+        const Sphere large{eye, 1.5};
+        const Sphere small{eye + Vec3d(0.2, 0, 0), 0.6};
+        if (inner_first) add_object(scene, small, inner_material);
+        add_object(scene, large, outer_material);
+        if (!inner_first) add_object(scene, small, inner_material);
+        const Validation v = validate(scene);
+        EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
+        expect_caught(
+            scene, [=](Scene& ours) { ours.materials[inner_material].ior = 1.5; }, 1000);
     }
 }
 
