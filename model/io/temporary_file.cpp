@@ -8,7 +8,9 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <random>
 
 #include "model/diagnostic.h"
@@ -18,7 +20,7 @@ namespace lancer::io {
 namespace {
 
 // What a signal handler may read: no heap, no locks. A name is complete before its slot becomes
-// `used`, and the handler looks at nothing else.
+// `used`, and the handler looks at nothing else. A name that ends in '/' is a folder's.
 enum class State { free, reserved, used };
 
 struct Slot {
@@ -27,7 +29,7 @@ struct Slot {
 };
 static_assert(std::atomic<State>::is_always_lock_free);
 
-std::array<Slot, 16> slots;
+std::array<Slot, 32> slots;
 
 /// The slot that now holds `name`, or -1 when all are taken or the name is too long: then the file
 /// merely outlives a signal.
@@ -45,6 +47,22 @@ int enter(const std::string& name) {
 
 void leave(int slot) {
     if (slot >= 0) slots[static_cast<std::size_t>(slot)].state.store(State::free);
+}
+
+/// A process of its own that waits for the end of this one, and of the programs that write there
+/// and die with it (PR_SET_PDEATHSIG), and then removes the folder. After a fork in a signal
+/// handler only calls that are safe there are left, so that removing is the business of `rm`.
+void sweep_after_the_end(char* folder) {
+    const pid_t parent = getpid();
+    if (fork() != 0) return;
+    const timespec moment{0, 20'000'000};
+    while (getppid() == parent) nanosleep(&moment, nullptr);
+    nanosleep(&moment, nullptr);
+    std::array<char, 3> program{"rm"};
+    std::array<char, 4> how{"-rf"};
+    const std::array<char*, 4> command{program.data(), how.data(), folder, nullptr};
+    execv("/bin/rm", command.data());
+    _exit(1);
 }
 
 }  // namespace
@@ -81,9 +99,31 @@ void TemporaryFile::keep_as(const std::string& path) {
     slot_ = -1;
 }
 
+TemporaryFolder::TemporaryFolder() {
+    std::error_code error;
+    std::string name = (std::filesystem::temp_directory_path(error) / "lancer-XXXXXX").string();
+    if (error || mkdtemp(name.data()) == nullptr)
+        throw system_error("cannot make", "a temporary folder", error ? error.value() : errno);
+    path_ = name;
+    slot_ = enter(name + "/");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+    leave(slot_);
+}
+
 void remove_temporary_files() noexcept {
     for (Slot& slot : slots) {
-        if (slot.state.load() == State::used) unlink(slot.name.data());
+        if (slot.state.load() != State::used) continue;
+        char* name = slot.name.data();
+        if (name[std::strlen(name) - 1] == '/') {
+            sweep_after_the_end(name);
+            slot.state.store(State::reserved);  // once is enough
+        } else {
+            unlink(name);
+        }
     }
 }
 

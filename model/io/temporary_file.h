@@ -1,6 +1,7 @@
-// Files that exist only while something is being written.
+// Files and folders that exist only while something is being made.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace lancer::io {
@@ -26,8 +27,24 @@ class TemporaryFile {
     int slot_ = -1;  ///< in the registry that remove_temporary_files reads; -1: not registered
 };
 
-/// Removes every temporary file of this process. Async-signal-safe: for a handler of SIGINT or
-/// SIGTERM that ends the program afterwards.
+/// A fresh directory below the temporary one, removed with all it holds at the end of its life.
+/// Throws FileError when none can be made.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+    int slot_ = -1;
+};
+
+/// Removes every temporary file of this process, and has its temporary folders removed as soon as
+/// it has ended. Async-signal-safe: for a handler of SIGINT or SIGTERM that ends the program
+/// afterwards.
 void remove_temporary_files() noexcept;
 
 }  // namespace lancer::io

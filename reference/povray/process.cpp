@@ -92,18 +92,6 @@ std::string read_start(int fd) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-    std::error_code error;
-    std::string name = (std::filesystem::temp_directory_path(error) / "lancer-XXXXXX").string();
-    if (error || !::mkdtemp(name.data())) fail("cannot make a temporary folder");
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
 ProcessResult run_process(const std::vector<std::string>& command,
                           const std::filesystem::path& folder, double time_limit_seconds) {
     std::vector<std::string> words = command;

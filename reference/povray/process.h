@@ -7,20 +7,6 @@
 
 namespace lancer::reference {
 
-/// A fresh directory below the temporary one, removed with all it holds at the end of its life.
-/// Throws FileError when none can be made.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 struct ProcessResult {
     bool timed_out = false;  ///< it and whatever it had started were killed
     int exit_code = 0;       ///< 128 + n when signal n ended it; 127 when it could not be started

@@ -15,6 +15,7 @@
 
 #include "model/diagnostic.h"
 #include "model/io/png_file.h"
+#include "model/io/temporary_file.h"
 #include "reference/povray/cache.h"
 #include "reference/povray/process.h"
 
@@ -112,7 +113,7 @@ std::string joined(const std::string& program, const std::vector<std::string>& a
 /// Renders in a folder of its own and gives the PNG's bytes.
 std::string render(const PovRay& povray, const PovJob& job, const PovOptions& options,
                    PovPicture& picture) {
-    const TemporaryFolder folder;
+    const io::TemporaryFolder folder;
     write_bytes(folder.path() / "scene.pov", job.text);
     for (const Asset& asset : job.assets) write_bytes(folder.path() / asset.name, asset.bytes);
     std::vector<std::string> command = povray_arguments(job.width, job.height, options.threads);
@@ -137,7 +138,7 @@ std::string render(const PovRay& povray, const PovJob& job, const PovOptions& op
 
 PovRay find_povray() {
     PovRay povray{program_to_use(), ""};
-    const TemporaryFolder folder;
+    const io::TemporaryFolder folder;
     const ProcessResult result = run_process({povray.program, "--version"}, folder.path(), 20);
     if (result.timed_out)
         throw FileError("'" + povray.program + " --version' did not answer within 20 s");

@@ -2,13 +2,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/cli/run_lancer.h"
 
 namespace lancer::cli {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -57,6 +61,26 @@ TEST(Commands, AFileThatCannotBeReadIsFour) {
             EXPECT_EQ(place.run({command, "."}).code, 4) << "a folder";
         }
     }
+}
+
+TEST(Commands, AnInterruptLeavesNothingBehind) {
+    // A POV-Ray that presses Ctrl-C.
+    const Workplace place;
+    place.write("a.lancer", small_scene());
+    place.write("povray",
+                "#!/bin/sh\n[ \"$1\" = --version ] && echo 'POV-Ray 3.7.0.10' && exit\n"
+                "touch half-a-picture; ls -d \"$TMPDIR\"/* > \"$TMPDIR/../seen\"\n"
+                "kill -INT $PPID; exec sleep 20\n");
+    fs::permissions(place.path("povray"), fs::perms::owner_all);
+    fs::create_directory(place.path("tmp"));
+    const Finished finished =
+        place.run({"validate", "--no-cache", "a.lancer"}, "",
+                  {"LANCER_POVRAY=" + place.path("povray"), "TMPDIR=" + place.path("tmp")});
+    EXPECT_EQ(finished.code, 130) << finished.err;
+    EXPECT_THAT(place.read("seen"), HasSubstr("lancer-"));
+    for (int i = 0; i < 1000 && !fs::is_empty(place.path("tmp")); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(fs::is_empty(place.path("tmp")));
 }
 
 TEST(Commands, AnEmptySceneIsNoMistake) {

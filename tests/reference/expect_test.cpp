@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "model/diagnostic.h"
-#include "reference/povray/process.h"
+#include "model/io/temporary_file.h"
 
 namespace lancer::reference {
 namespace {
@@ -62,7 +62,7 @@ TEST(Expectations, RefuseWhatTheyDoNotUnderstandWithTheLine) {
 }
 
 TEST(Expectations, AreReadFromTheFileBesideTheScene) {
-    const TemporaryFolder folder;
+    const io::TemporaryFolder folder;
     std::ofstream(folder.path() / "a.expect") << "unexplained 3 # why\n";
     EXPECT_EQ(read_expectations((folder.path() / "a.lancer").string()).thresholds.unexplained, 3u);
     EXPECT_EQ(read_expectations((folder.path() / "b.lancer").string()).thresholds.unexplained, 0u);

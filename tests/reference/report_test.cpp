@@ -10,7 +10,7 @@
 #include "model/diagnostic.h"
 #include "model/io/file.h"
 #include "model/io/image_file.h"
-#include "reference/povray/process.h"
+#include "model/io/temporary_file.h"
 #include "reference/report/folders.h"
 #include "reference/report/histogram.h"
 #include "reference/report/html.h"
@@ -111,7 +111,7 @@ TEST(Report, HoldsFiftyScenesInTenMegabytes) {
         entry.differences.assign(320 * 240, 1e-5);
         entries.push_back(entry);
     }
-    const TemporaryFolder folder;
+    const io::TemporaryFolder folder;
     write_report(report_of(entries), folder.path().string());
     const auto size = std::filesystem::file_size(folder.path() / "index.html");
     EXPECT_LT(size, 10'000'000u);
@@ -138,7 +138,7 @@ TEST(Report, MarksAMissedThreshold) {
 }
 
 TEST(Report, CannotBeWrittenWhereAFileIs) {
-    const TemporaryFolder folder;
+    const io::TemporaryFolder folder;
     const std::string path = (folder.path() / "file").string();
     std::ofstream(path) << "x";
     EXPECT_THROW(write_report(report_of({}), path), FileError);
@@ -182,7 +182,7 @@ class Folders : public testing::Test {
         return Verdict::failed;
     }
 
-    TemporaryFolder folder_;
+    io::TemporaryFolder folder_;
 };
 
 TEST_F(Folders, ArePairedByNameBelowToo) {

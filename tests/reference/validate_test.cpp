@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "cli/our_renderer.h"
-#include "reference/povray/process.h"
+#include "model/io/temporary_file.h"
 #include "tests/reference/pov/pair_scenes.h"
 #include "tests/reference/pov/povray_fixture.h"
 #include "tests/reference/pov/scene_kit.h"
@@ -46,8 +46,8 @@ class Validate : public WithPovRay {
         EXPECT_GE(v.judgement.count(PixelClass::unexplained), least_unexplained);
     }
 
-    static TemporaryFolder& cache() {
-        static TemporaryFolder folder;
+    static io::TemporaryFolder& cache() {
+        static io::TemporaryFolder folder;
         return folder;
     }
 };

@@ -11,8 +11,8 @@
 
 #include "model/diagnostic.h"
 #include "model/io/png_file.h"
+#include "model/io/temporary_file.h"
 #include "reference/povray/cache.h"
-#include "reference/povray/process.h"
 #include "reference/povray/sha256.h"
 
 namespace lancer::reference {
@@ -84,7 +84,7 @@ class Runner : public testing::Test {
         return count;
     }
 
-    TemporaryFolder folder_;
+    io::TemporaryFolder folder_;
     PovJob job_{"ball", "#version 3.7;", {{"motif.png", "bytes"}}, 2, 1};
 };
 
