@@ -3,6 +3,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
+#include <ctime>
 #include <initializer_list>
 
 #include "model/io/temporary_file.h"
@@ -12,12 +14,29 @@ namespace {
 
 constexpr int exit_code_of_signals = 128;  // plus the signal's number, as shells have it
 
+/// A process of its own that waits for the end of this one, and of POV-Ray, which dies with it, and
+/// then removes the folder. After a fork in a signal handler only calls that are safe there are
+/// left, so that removing is the business of `rm`.
+void sweep_after_the_end(char* folder) {
+    const pid_t parent = getpid();
+    if (fork() != 0) return;
+    const timespec moment{0, 20'000'000};
+    while (getppid() == parent) nanosleep(&moment, nullptr);
+    nanosleep(&moment, nullptr);
+    std::array<char, 3> program{"rm"};
+    std::array<char, 4> how{"-rf"};
+    const std::array<char*, 4> command{program.data(), how.data(), folder, nullptr};
+    execv("/bin/rm", command.data());
+    _exit(1);
+}
+
 extern "C" void end_process(int signal_number) {
     // Only what is safe in a signal handler. A progress bar may stand on the line.
     io::remove_temporary_files();
     if (isatty(STDERR_FILENO) == 1) [[maybe_unused]]
         const auto written = write(STDERR_FILENO, "\n", 1);
     io::remove_temporary_files();
+    while (char* folder = io::next_temporary_folder()) sweep_after_the_end(folder);
     _exit(exit_code_of_signals + signal_number);
 }
 

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <random>
 
 #include "model/diagnostic.h"
@@ -45,24 +44,12 @@ int enter(const std::string& name) {
     return -1;
 }
 
-void leave(int slot) {
-    if (slot >= 0) slots[static_cast<std::size_t>(slot)].state.store(State::free);
+bool is_folder(const Slot& slot) {
+    return slot.name[std::strlen(slot.name.data()) - 1] == '/';
 }
 
-/// A process of its own that waits for the end of this one, and of the programs that write there
-/// and die with it (PR_SET_PDEATHSIG), and then removes the folder. After a fork in a signal
-/// handler only calls that are safe there are left, so that removing is the business of `rm`.
-void sweep_after_the_end(char* folder) {
-    const pid_t parent = getpid();
-    if (fork() != 0) return;
-    const timespec moment{0, 20'000'000};
-    while (getppid() == parent) nanosleep(&moment, nullptr);
-    nanosleep(&moment, nullptr);
-    std::array<char, 3> program{"rm"};
-    std::array<char, 4> how{"-rf"};
-    const std::array<char*, 4> command{program.data(), how.data(), folder, nullptr};
-    execv("/bin/rm", command.data());
-    _exit(1);
+void leave(int slot) {
+    if (slot >= 0) slots[static_cast<std::size_t>(slot)].state.store(State::free);
 }
 
 }  // namespace
@@ -116,15 +103,17 @@ TemporaryFolder::~TemporaryFolder() {
 
 void remove_temporary_files() noexcept {
     for (Slot& slot : slots) {
-        if (slot.state.load() != State::used) continue;
-        char* name = slot.name.data();
-        if (name[std::strlen(name) - 1] == '/') {
-            sweep_after_the_end(name);
-            slot.state.store(State::reserved);  // once is enough
-        } else {
-            unlink(name);
-        }
+        if (slot.state.load() == State::used && !is_folder(slot)) unlink(slot.name.data());
     }
+}
+
+char* next_temporary_folder() noexcept {
+    for (Slot& slot : slots) {
+        if (slot.state.load() != State::used || !is_folder(slot)) continue;
+        slot.state.store(State::reserved);
+        return slot.name.data();
+    }
+    return nullptr;
 }
 
 }  // namespace lancer::io

@@ -42,9 +42,12 @@ class TemporaryFolder {
     int slot_ = -1;
 };
 
-/// Removes every temporary file of this process, and has its temporary folders removed as soon as
-/// it has ended. Async-signal-safe: for a handler of SIGINT or SIGTERM that ends the program
-/// afterwards.
+/// Removes every temporary file of this process, but no folder. Async-signal-safe: for a handler of
+/// SIGINT or SIGTERM that ends the program afterwards.
 void remove_temporary_files() noexcept;
+
+/// A temporary folder of this process, each given once; null after the last. Async-signal-safe, for
+/// the same handler.
+char* next_temporary_folder() noexcept;
 
 }  // namespace lancer::io
