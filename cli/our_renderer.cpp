@@ -11,8 +11,8 @@ namespace {
 reference::Probe probe_of(const std::shared_ptr<const Renderer>& renderer, const View& view) {
     return [renderer, view](double x, double y) {
         const Probe probe = renderer->probe(view, x, y);
-        return reference::ProbeSample{probe.color,  probe.object, probe.depth,
-                                      probe.normal, probe.lit,    probe.path};
+        return reference::ProbeSample{probe.color, probe.object, probe.depth, probe.normal,
+                                      probe.lit,   probe.path,   probe.rays};
     };
 }
 
@@ -32,6 +32,7 @@ reference::OurPicture render_ours(const Scene& scene, const reference::ExportVie
     reference::OurPicture picture;
     picture.image = renderer->render(view, {}, rays);
     picture.seconds = watch.seconds();
+    picture.rays = rays.rays();
     picture.probe = probe_of(renderer, view);
     view.absorption_by_povray = true;
     picture.probe_by_rules = probe_of(renderer, view);

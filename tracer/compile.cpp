@@ -154,6 +154,8 @@ class Compiler {
             p.body = (has_matter || !std::holds_alternative<MeshRef>(object.shape)) &&
                      is_body(scene_, object.shape);
             p.medium = p.body && has_matter;
+            const auto* mesh = std::get_if<MeshInstance<Real>>(&p.solid);
+            world_->has_smooth_media |= p.medium && mesh != nullptr && mesh->smooth;
             world_->has_transmission |= p.transmissive;
             world_->has_media |= p.medium && (p.transmissive || max_component(m.absorption) > 0);
             (std::holds_alternative<HalfSpace<Real>>(p.solid) ? unbounded : bounded).push_back(p);

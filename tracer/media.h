@@ -5,6 +5,22 @@
 
 namespace lancer {
 
+/// What is around a ray.
+struct Media {
+    /// The bodies that it is inside of, by the geometric normals: which crossings can come next,
+    /// and what absorbs.
+    MediaList bodies;
+    /// The bodies whose refractive index counts. Where the shading normal sends a refracted ray to
+    /// the side that it came from, or a mirrored one through the surface, the two lists differ:
+    /// docs/shading.md, "Smooth meshes". Kept only in worlds that have_smooth_media, else empty.
+    MediaList optical;
+};
+
+template <class Real>
+const MediaList& optical_of(const World<Real>& world, const Media& media) {
+    return world.has_smooth_media ? media.optical : media.bodies;
+}
+
 /// Whether the line's start lies in the body. A start on its surface belongs to the side that the
 /// ray goes to.
 template <class Real>
@@ -35,13 +51,14 @@ template <class Real>
 class CameraMedia {
   public:
     /// Largest bounding box first, then in the order of declaration.
-    MediaList around(const World<Real>& world, const Ray<Real>& ray) {
-        MediaList media;
+    Media around(const World<Real>& world, const Ray<Real>& ray) {
+        Media media;
         if (!world.has_media) return media;
         if (!known_ || ray.origin != origin_) look_around(world, ray.origin);
         for (const std::uint32_t body : near_) {
-            if (starts_inside(world, body, ray)) media.push_back(body);
+            if (starts_inside(world, body, ray)) media.bodies.push_back(body);
         }
+        if (world.has_smooth_media) media.optical = media.bodies;
         return media;
     }
 
@@ -60,23 +77,32 @@ class CameraMedia {
     MediaList near_;  ///< bodies whose bounds hold `origin_`
 };
 
-/// The list behind a contact: its entries appended, then its exits dropped. `contact` has entries
-/// first.
+/// Appends the body, or drops it if it is there.
+inline void toggle(MediaList& media, std::uint32_t body) {
+    const auto at = std::find(media.begin(), media.end(), body);
+    if (at == media.end())
+        media.push_back(body);
+    else
+        media.erase(at);
+}
+
+/// What is around a ray behind a contact: its entries appended, then its exits dropped. `contact`
+/// has entries first.
 template <class Real>
-MediaList crossed(const World<Real>& world, const MediaList& media, const Contact<Real>& contact) {
-    MediaList after = media;
+Media crossed(const World<Real>& world, const Media& media, const Contact<Real>& contact) {
+    Media after = media;
     if (!world.has_media) return after;
     for (const Hit<Real>& hit : contact) {
         const std::uint32_t body = hit.surface.primitive;
         if (!world.primitives[body].medium) continue;
-        const auto at = std::find(after.begin(), after.end(), body);
-        if (hit.surface.entering && at == after.end()) after.push_back(body);
-        if (!hit.surface.entering && at != after.end()) after.erase(at);
+        if (contains(after.bodies, body) == hit.surface.entering) continue;
+        toggle(after.bodies, body);
+        if (world.has_smooth_media) toggle(after.optical, body);
     }
     return after;
 }
 
-/// What the ray runs in: the last body entered; null in empty space.
+/// The matter of the last body entered; null in empty space.
 template <class Real>
 const Finish<Real>* medium_of(const World<Real>& world, const MediaList& media) {
     if (media.empty()) return nullptr;
@@ -84,8 +110,8 @@ const Finish<Real>* medium_of(const World<Real>& world, const MediaList& media) 
 }
 
 template <class Real>
-Real index_of(const World<Real>& world, const MediaList& media) {
-    const Finish<Real>* medium = medium_of(world, media);
+Real index_of(const World<Real>& world, const Media& media) {
+    const Finish<Real>* medium = medium_of(world, optical_of(world, media));
     return medium == nullptr ? Real(1) : medium->ior;
 }
 

@@ -12,6 +12,10 @@ using SurfaceList = boost::container::small_vector<SurfaceId, 4>;
 /// The bodies (primitives) that a ray is inside of, in the order entered. No fixed limit.
 using MediaList = boost::container::small_vector<std::uint32_t, 8>;
 
+/// Stands in its place in a world that no light passes through, where nobody asks what a ray is in:
+/// code for such worlds is compiled without all that lists would cost (docs/performance.md).
+struct NoMedia {};
+
 inline bool contains(const MediaList& media, std::uint32_t primitive) {
     return std::find(media.begin(), media.end(), primitive) != media.end();
 }
@@ -43,11 +47,12 @@ using Contact = boost::container::small_vector<Hit<Real>, 4>;
 /// one that it is not in only entered, at zero distance too. So coincident and glued faces need no
 /// tolerance. Everything else must lie ahead by more than its error bound, except that a ray enters
 /// an opaque body at distance zero when it stays in it for longer than rounding could explain.
-template <class Real>
+/// \tparam Bodies  MediaList, or NoMedia
+template <class Real, class Bodies>
 class Acceptance {
   public:
-    Acceptance(const World<Real>& world, const Start<Real>& start, const MediaList& media)
-        : world_(world), start_(start), media_(media) {}
+    Acceptance(const World<Real>& world, const Start<Real>& start, const Bodies& bodies)
+        : world_(world), start_(start), bodies_(bodies) {}
 
     Known known(std::uint32_t primitive) const {
         Known k;
@@ -56,8 +61,10 @@ class Acceptance {
                 if (s.primitive == primitive) k.start_face = s.face;
             }
         }
-        if (world_.has_media && world_.primitives[primitive].medium)
-            k.inside = contains(media_, primitive);
+        if constexpr (lists_media) {
+            if (world_.has_media && world_.primitives[primitive].medium)
+                k.inside = contains(bodies_, primitive);
+        }
         return k;
     }
 
@@ -77,8 +84,8 @@ class Acceptance {
         // What the ray has just left it cannot enter again at the same place: a convex solid never,
         // another only farther on. Else a slab thinner than the bound would be entered for ever.
         if (same_primitive && c.entering && (is_convex(p) || !(ahead > c.error))) return false;
-        if (p.medium && world_.has_media) {
-            if (contains(media_, primitive) == c.entering) return false;
+        if (is_medium(p)) {
+            if (contains_here(primitive) == c.entering) return false;
         } else if (!(ahead > c.error)) {
             const bool enters_wall =
                 p.body && c.entering && !same_primitive && c.chord > 4 * c.error;
@@ -89,6 +96,16 @@ class Acceptance {
     }
 
   private:
+    static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
+
+    bool is_medium(const Primitive<Real>& p) const {
+        return lists_media && p.medium && world_.has_media;
+    }
+    bool contains_here(std::uint32_t primitive) const {
+        if constexpr (lists_media) return contains(bodies_, primitive);
+        return false;
+    }
+
     /// Shapes that do not divide their start out themselves, because a line meets each face once.
     static bool is_face_by_face(const Primitive<Real>& p) {
         return std::holds_alternative<MeshInstance<Real>>(p.solid) ||
@@ -105,7 +122,7 @@ class Acceptance {
 
     const World<Real>& world_;
     const Start<Real>& start_;
-    const MediaList& media_;
+    const Bodies& bodies_;
 };
 
 /// Reports all crossings of the world ray with one primitive: report(Crossing, u, v), which returns
@@ -218,11 +235,11 @@ void order_contact(const World<Real>& world, Contact<Real>& contact) {
 enum class Shadows { ignore, cast };
 
 /// Everything that the ray meets first, the nearest hit in front. Empty: it leaves the scene.
-template <class Real>
+template <class Real, class Bodies>
 Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
-                              const Start<Real>& start, const MediaList& media,
+                              const Start<Real>& start, const Bodies& bodies,
                               Shadows shadows = Shadows::ignore) {
-    const Acceptance<Real> accept(world, start, media);
+    const Acceptance<Real, Bodies> accept(world, start, bodies);
     NearestContact<Real> found;
     const auto limit = [&] { return found.limit(); };
     // A body that the ray is in may be left a rounding before the start.

@@ -43,6 +43,7 @@ struct RayCounts {
     std::uint64_t media_lost = 0;  ///< bodies left without a crossing; 0 in a sound scene
 
     RayCounts& operator+=(const RayCounts& more);
+    std::uint64_t rays() const { return primary + shadow + reflected + transmitted; }
 };
 
 /// What there is to count in a compiled scene.
@@ -64,6 +65,7 @@ struct Probe {
     /// Hash of everything discrete on the way: objects, faces and shadows met by all rays of the
     /// tree, texture cells left out. Two probes with equal paths differ only by smooth amounts.
     std::uint64_t path = 0;
+    std::uint64_t rays = 0;  ///< of all kinds that were traced for it
 };
 
 /// Called now and then from the thread that called render(), with the share done, 0..1.

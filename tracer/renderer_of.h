@@ -30,28 +30,31 @@ class RendererOf final : public Renderer {
         std::mutex merging;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
-            Whitted<Real> whitted(*world_, view.absorption_by_povray);
-            for (int index = 0; next_task(index);) {
-                const int left = index % across * tile;
-                const int top = index / across * tile;
-                for (int y = top; y < std::min(top + tile, crop.height); ++y) {
-                    for (int x = left; x < std::min(left + tile, crop.width); ++x)
-                        fill(image.pixel(x, y), whitted, lens, view, crop.x + x, crop.y + y);
+            with_tracer(view, [&](auto& tracer) {
+                for (int index = 0; next_task(index);) {
+                    const int left = index % across * tile;
+                    const int top = index / across * tile;
+                    for (int y = top; y < std::min(top + tile, crop.height); ++y) {
+                        for (int x = left; x < std::min(left + tile, crop.width); ++x)
+                            fill(image.pixel(x, y), tracer, lens, view, crop.x + x, crop.y + y);
+                    }
                 }
-            }
-            const std::lock_guard lock(merging);
-            counts += whitted.counts;
+                const std::lock_guard lock(merging);
+                counts += tracer.counts();
+            });
         });
         return image;
     }
 
     Probe probe(const View& view, double x, double y) const override {
-        Whitted<Real> whitted(*world_, view.absorption_by_povray);
         Witness<Real> witness;
         const Lens<Real> lens = lens_of(view);
         Probe probe;
-        probe.color = convert<double>(
-            sample(whitted, lens, view, static_cast<Real>(x), static_cast<Real>(y), &witness));
+        with_tracer(view, [&](auto& tracer) {
+            probe.color = convert<double>(
+                sample(tracer, lens, view, static_cast<Real>(x), static_cast<Real>(y), &witness));
+            probe.rays = tracer.counts().rays();
+        });
         probe.path = witness.path;
         if (!witness.met) return probe;
         probe.object = witness.surface.primitive->object;
@@ -86,6 +89,18 @@ class RendererOf final : public Renderer {
   private:
     static constexpr int aov_channels = 6;
 
+    /// Calls work(tracer) with a tracer that does what this world requires, and no more.
+    template <class Work>
+    void with_tracer(const View& view, Work&& work) const {
+        if (world_->has_media || world_->has_transmission) {
+            Whitted<Real> tracer(*world_, view.absorption_by_povray);
+            work(tracer);
+        } else {
+            OpaqueTracer<Real> tracer(*world_);
+            work(tracer);
+        }
+    }
+
     Lens<Real> lens_of(const View& view) const {
         return make_lens<Real>(cameras_[view.camera], view.width, view.height,
                                world_->scale_exponent);
@@ -95,15 +110,17 @@ class RendererOf final : public Renderer {
     }
 
     /// One ray through the point (x, y), in pixels of the whole picture.
-    Vec3<Real> sample(Whitted<Real>& whitted, const Lens<Real>& lens, const View& view, Real x,
-                      Real y, Witness<Real>* witness) const {
+    template <class Tracer>
+    Vec3<Real> sample(Tracer& tracer, const Lens<Real>& lens, const View& view, Real x, Real y,
+                      Witness<Real>* witness) const {
         const Real sx = x / static_cast<Real>(view.width) - Real(0.5);
         const Real sy = Real(0.5) - y / static_cast<Real>(view.height);
-        return whitted.camera_ray(camera_ray(lens, sx, sy), witness);
+        return tracer.camera_ray(camera_ray(lens, sx, sy), witness);
     }
 
-    void fill(double* pixel, Whitted<Real>& whitted, const Lens<Real>& lens, const View& view,
-              int x, int y) const {
+    template <class Tracer>
+    void fill(double* pixel, Tracer& tracer, const Lens<Real>& lens, const View& view, int x,
+              int y) const {
         const int n = world_->settings.samples;
         Vec3<Real> sum(0);
         for (int j = 0; j < n; ++j) {
@@ -112,7 +129,7 @@ class RendererOf final : public Renderer {
                                   (static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n);
                 const Real at_y = static_cast<Real>(y) +
                                   (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(n);
-                sum += sample(whitted, lens, view, at_x, at_y, nullptr);
+                sum += sample(tracer, lens, view, at_x, at_y, nullptr);
             }
         }
         const Vec3d color = convert<double>(n == 1 ? sum : sum / static_cast<Real>(n * n));
@@ -122,10 +139,11 @@ class RendererOf final : public Renderer {
 
     /// By a ray of its own through the centre, which no count shows.
     void fill_aov(double* out, const Lens<Real>& lens, const View& view, int x, int y) const {
-        Whitted<Real> whitted(*world_);
         Witness<Real> witness;
-        sample(whitted, lens, view, static_cast<Real>(x) + Real(0.5),
-               static_cast<Real>(y) + Real(0.5), &witness);
+        with_tracer(view, [&](auto& tracer) {
+            sample(tracer, lens, view, static_cast<Real>(x) + Real(0.5),
+                   static_cast<Real>(y) + Real(0.5), &witness);
+        });
         std::fill(out, out + aov_channels, 0.0);
         out[0] = -1;
         if (!witness.met) return;

@@ -12,10 +12,11 @@ enum class Way { clear, blocked, filtered };
 
 /// Looks once along the way to the light: an opaque surface ends it; whether something transmissive
 /// lies there is only noted.
-template <class Real>
+template <class Real, class Bodies>
 Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const Start<Real>& start,
-           const MediaList& media) {
-    const Acceptance<Real> accept(world, start, media);
+           const Bodies& bodies) {
+    const Acceptance<Real, Bodies> accept(world, start, bodies);
+    constexpr bool light_may_pass = !std::is_same_v<Bodies, NoMedia>;
     Way way = Way::clear;
     const auto limit = [&] { return distance; };
     candidates(world, ray, Real(0), limit, [&](std::uint32_t index) {
@@ -23,7 +24,7 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
         if (!p.casts_shadow) return false;
         primitive_crossings(world, index, ray, accept.known(index), Real(0), limit,
                             [&](Crossing<Real> c, Real, Real) {
-                                if (p.transmissive) {
+                                if (light_may_pass && p.transmissive) {
                                     if (c.t >= -c.error && c.t < distance) way = Way::filtered;
                                     return false;
                                 }
@@ -40,25 +41,26 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
 /// of T over every surface crossed and of the absorption on the way. No refraction, no limit on the
 /// number of surfaces.
 ///
-/// \param media  the bodies around the first stretch of the way
+/// \param media  around the first stretch of the way
 template <class Real>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                         const SurfaceList& touched, MediaList media) {
+                         const SurfaceList& touched, Media media) {
     Start<Real> start{0, true, touched};
-    const Way way = survey(world, ray, distance, start, media);
+    MediaList& bodies = media.bodies;
+    const Way way = survey(world, ray, distance, start, bodies);
     if (way == Way::blocked) return Vec3<Real>(0);
     // What casts no shadow does not weaken light inside it either.
     const auto casts_none = [&](std::uint32_t body) {
         return !world.primitives[body].casts_shadow;
     };
-    media.erase(std::remove_if(media.begin(), media.end(), casts_none), media.end());
+    bodies.erase(std::remove_if(bodies.begin(), bodies.end(), casts_none), bodies.end());
     Vec3<Real> light(1);
     while (way == Way::filtered) {
-        Contact<Real> contact = nearest_contact(world, ray, start, media, Shadows::cast);
+        Contact<Real> contact = nearest_contact(world, ray, start, bodies, Shadows::cast);
         if (contact.empty()) break;
         const Hit<Real> nearest = contact.front();
         if (!(nearest.t < distance - nearest.error)) break;
-        if (const Finish<Real>* medium = medium_of(world, media); medium && medium->absorbs)
+        if (const Finish<Real>* medium = medium_of(world, bodies); medium && medium->absorbs)
             light = light * absorbed(medium->absorption, nearest.t - start.t);
         order_contact(world, contact);
         start.surfaces.clear();
@@ -70,9 +72,17 @@ Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real di
         for (const Hit<Real>& hit : contact) light = light * make_surface(world, ray, hit).passing;
         if (!(max_component(light) > 0)) return Vec3<Real>(0);
     }
-    if (const Finish<Real>* medium = medium_of(world, media); medium && medium->absorbs)
+    if (const Finish<Real>* medium = medium_of(world, bodies); medium && medium->absorbs)
         light = light * absorbed(medium->absorption, distance - start.t);
     return light;
+}
+
+/// The same where no light passes through anything.
+template <class Real>
+Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
+                         const SurfaceList& touched, NoMedia media) {
+    const Way way = survey(world, ray, distance, Start<Real>{0, true, touched}, media);
+    return Vec3<Real>(way == Way::blocked ? Real(0) : Real(1));
 }
 
 }  // namespace lancer

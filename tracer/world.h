@@ -110,6 +110,7 @@ struct World {
     int scale_exponent = 0;
     bool has_transmission = false;  ///< some primitive is transmissive
     bool has_media = false;         ///< lists of bodies must be carried
+    bool has_smooth_media = false;  ///< some of them are meshes with interpolated normals
     bool has_textures = false;
 };
 

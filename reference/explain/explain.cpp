@@ -12,10 +12,6 @@ namespace lancer::reference {
 
 namespace {
 
-/// When so many pixels could not be explained the answer is known, and the others are not looked
-/// at.
-constexpr std::size_t enough_unexplained = 2000;
-
 /// A small shift makes no such difference on a smooth surface: what does is left out of
 /// registration.
 constexpr double no_shift = 0.01;
@@ -90,6 +86,11 @@ void decide(Judgement& result, const Thresholds& limits) {
     if (unexplained > limits.unexplained) {
         failures.push_back(fmt::format("{} unexplained pixels differ by more than {:g}, {} allowed",
                                        unexplained, limits.interior, limits.unexplained));
+        if (result.not_looked_at > 0) {
+            failures.push_back(
+                fmt::format("{} of them were not looked at: explaining ended after {} rays",
+                            result.not_looked_at, result.rays));
+        }
     }
     if (result.tight_share < limits.tight_share) {
         failures.push_back(
@@ -144,7 +145,7 @@ std::string class_name(PixelClass pixel_class) {
 }
 
 Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
-                const Thresholds& limits, const Probe& by_rules) {
+                const Thresholds& limits, const Probe& by_rules, std::uint64_t most_rays) {
     assert(ours.width == theirs.width && ours.height == theirs.height);
     Judgement result;
     const std::vector<double> differences = pixel_differences(ours, theirs);
@@ -154,9 +155,17 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         static_cast<std::size_t>(std::count(edges.begin(), edges.end(), std::uint8_t{1}));
     result.classes.assign(differences.size(), PixelClass::agrees);
 
+    const auto counted = [&](const Probe& given) {
+        return !given ? Probe() : Probe([&](double x, double y) {
+            ProbeSample sample = given(x, y);
+            result.rays += sample.rays;
+            return sample;
+        });
+    };
+    const Probe look = counted(probe);
+    const Probe look_by_rules = counted(by_rules);
     Mask skip = edges;
     std::vector<Offset> offsets;
-    std::size_t unexplained = 0;
     for (std::size_t i = 0; i < differences.size(); ++i) {
         if (differences[i] <= limits.interior) continue;
         DifferentPixel pixel;
@@ -165,12 +174,13 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         pixel.difference = differences[i];
         pixel.ours = color_at(ours, pixel.x, pixel.y);
         pixel.theirs = color_at(theirs, pixel.x, pixel.y);
-        if (is_known(pixel, limits, by_rules)) {
+        if (result.rays >= most_rays) {
+            ++result.not_looked_at;
+        } else if (is_known(pixel, limits, look_by_rules)) {
             pixel.pixel_class = PixelClass::known;
-        } else if (unexplained < enough_unexplained) {
-            classify(pixel, probe, limits, by_rules);
+        } else {
+            classify(pixel, look, limits, look_by_rules);
         }
-        if (pixel.pixel_class == PixelClass::unexplained) ++unexplained;
         if (is_explained(pixel.pixel_class)) {
             offsets.push_back(pixel.offset);
             ++result.explained;

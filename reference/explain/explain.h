@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,7 @@ enum class PixelClass : std::uint8_t {
     texture,
     secondary,
     known,        ///< what the other program does otherwise by a rule of its own
-    unexplained,  ///< a mistake
+    unexplained,  ///< a mistake, or not looked at for want of rays
 };
 inline constexpr std::size_t pixel_classes = 7;
 std::string class_name(PixelClass pixel_class);
@@ -69,6 +70,8 @@ struct Judgement {
     double interior_p999 = 0;
     double tight_share = 1;  ///< achieved
     std::size_t counts[pixel_classes] = {};
+    std::size_t not_looked_at = 0;  ///< of the unexplained: when the rays were used up
+    std::uint64_t rays = 0;         ///< that explaining cost
     std::size_t explained = 0;
     std::size_t displaced = 0;  ///< explained by an edge further than Thresholds::rounding
     Shift edge_shift;           ///< mean of the explained pixels' offsets
@@ -91,7 +94,11 @@ struct Judgement {
 /// the same side: the count of displaced edges and the mean of the offsets show it. On what is
 /// shaded smoothly it shows as a difference along the gradient, which no edge explains, and by
 /// registration.
+///
+/// Explaining a pixel takes thousands of looks. Once they have cost `most_rays`, the pixels that
+/// are left count as unexplained.
 Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
-                const Thresholds& thresholds, const Probe& by_rules = {});
+                const Thresholds& thresholds, const Probe& by_rules = {},
+                std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max());
 
 }  // namespace lancer::reference

@@ -19,6 +19,7 @@ struct ProbeSample {
     Vec3d normal{0, 0, 0};
     std::uint64_t lit = 0;   ///< one bit per light that reaches the point
     std::uint64_t path = 0;  ///< equal paths differ only by smooth amounts, or by a texture's edge
+    std::uint64_t rays = 1;  ///< of all kinds that it took: what the look cost
 };
 
 /// A ray through (x, y), in pixels from the picture's top left corner: (0.5, 0.5) is the centre of

@@ -23,6 +23,7 @@ struct Traits {
     bool body = false;
     bool passes = false;   ///< light
     bool absorbs = false;  ///< a body in which light fades
+    bool smooth = false;   ///< a mesh whose shading normals are not its facets'
 };
 
 /// Whether a plane passes through a box or touches it.
@@ -72,6 +73,8 @@ class Search {
         t.body = is_body(scene_, object.shape);
         t.passes = lets_light_pass(scene_, *t.material);
         t.absorbs = t.body && t.passes && max_component(t.material->absorption) > 0;
+        const auto* mesh = std::get_if<MeshRef>(&object.shape);
+        t.smooth = mesh != nullptr && mesh->smooth && scene_.settings.smooth;
         if (const auto own = shape_bounds(scene_, object.shape)) {
             t.bounds = moved(to_world, *own);
             t.bounds.low = window_(t.bounds.low);
@@ -112,6 +115,11 @@ class Search {
             all([this](const Traits& t) {
                 return t.absorbs && meets_another(t, [](const Traits&) { return true; });
             }));
+        add(Rule::absorption_smooth,
+            "where a smooth mesh bends or mirrors a ray to the wrong side of a facet, POV-Ray goes "
+            "by "
+            "what the ray did, Lancer by where it is",
+            all([](const Traits& t) { return t.absorbs && t.smooth; }));
         const bool fading = std::any_of(objects_.begin(), objects_.end(),
                                         [](const Traits& t) { return t.absorbs; });
         add(Rule::light_from_behind,

@@ -31,6 +31,8 @@ std::string rule_name(KnownDifference::Rule rule) {
             return "absorption-inside";
         case KnownDifference::Rule::absorption_nested:
             return "absorption-nested";
+        case KnownDifference::Rule::absorption_smooth:
+            return "absorption-smooth";
         case KnownDifference::Rule::fresnel_nested:
             return "fresnel-nested";
         case KnownDifference::Rule::sheet_in_medium:

@@ -45,6 +45,7 @@ struct KnownDifference {
     enum class Rule {
         absorption_inside,    ///< no absorption on what the inner side of a surface shows
         absorption_nested,    ///< no absorption on a stretch that ends on another body
+        absorption_smooth,    ///< absorption by what bends light, not by the place
         sheet_in_medium,      ///< a transparent sheet inside a body bends light
         fresnel_nested,       ///< no Fresnel reflection on leaving a body inside another
         contribution,         ///< adc_bailout asks for the grey value of what passes as well

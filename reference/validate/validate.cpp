@@ -45,7 +45,8 @@ Probe exposed(Probe probe, double exposure) {
 bool has_followed_rule(const std::vector<KnownDifference>& known) {
     return std::any_of(known.begin(), known.end(), [](const KnownDifference& k) {
         return k.rule == KnownDifference::Rule::absorption_inside ||
-               k.rule == KnownDifference::Rule::absorption_nested;
+               k.rule == KnownDifference::Rule::absorption_nested ||
+               k.rule == KnownDifference::Rule::absorption_smooth;
     });
 }
 
@@ -85,7 +86,7 @@ void judge_pictures(Validation& result, const OurPicture& ours) {
     if (ours.probe_by_rules && has_followed_rule(result.known_differences))
         by_rules = exposed(ours.probe_by_rules, result.exposure);
     result.judgement = judge(result.ours, result.theirs, exposed(ours.probe, result.exposure),
-                             result.thresholds, by_rules);
+                             result.thresholds, by_rules, rays_for_explaining(ours.rays));
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
     result.reasons = result.judgement.failures;
 }

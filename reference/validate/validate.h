@@ -21,6 +21,7 @@ struct OurPicture {
     Probe probe;  ///< the same picture between the pixels' centres, in the same units
     /// The same with what POV-Ray does otherwise by rule done its way (absorption); may be empty.
     Probe probe_by_rules;
+    std::uint64_t rays = 0;  ///< of all kinds, that the picture took
     double seconds = 0;
 };
 /// Renders what `view` shows of the scene, one ray through the centre of each pixel. Called from
@@ -36,6 +37,12 @@ struct ValidationJob {
     ExportView view;
     Expectations expect;
 };
+
+/// The rays that explaining may cost: the picture's own many times over, and some for pictures that
+/// cost next to nothing. In rays and not in seconds, so that the verdict depends on no clock.
+constexpr std::uint64_t rays_for_explaining(std::uint64_t of_the_picture) {
+    return 3 * of_the_picture + 3'000'000;
+}
 
 /// What both programs do alike: one ray through each pixel's centre, and no branch left out because
 /// it weighs little. The depth of recursion stays the scene's.

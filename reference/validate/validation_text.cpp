@@ -60,6 +60,8 @@ nlohmann::ordered_json scene_json(const Validation& v) {
                          {"reflected_edge", j.count(PixelClass::secondary)},
                          {"displaced", j.displaced}};
     json["known"] = j.count(PixelClass::known);
+    json["not_looked_at"] = j.not_looked_at;
+    json["explaining_rays"] = j.rays;
     json["edge_shift"] = shift_json(j.edge_shift);
     json["picture_shift"] = shift_json(j.picture_shift);
     json["mean"] = v.comparison.mean;

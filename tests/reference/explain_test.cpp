@@ -192,6 +192,32 @@ TEST(Judge, CountsAsKnownOnlyWhatTheOtherRuleGivesExactly) {
     EXPECT_GT(off.count(PixelClass::unexplained), 5000u) << summary(off);
 }
 
+TEST(Judge, EndsWhenItsRaysAreUsedUpAndSaysSo) {
+    World other;
+    other.texture_offset += other.cell / 16;
+    const Image ours = tiny::Tracer({}).render();
+    const Image theirs = tiny::Tracer(other).render(true);
+    std::uint64_t looks = 0;
+    const Probe counting = [&](double x, double y) {
+        ++looks;
+        return tiny::Tracer({}).probe(x, y);
+    };
+    const Judgement all = judge(ours, theirs, counting, {});
+    EXPECT_EQ(all.not_looked_at, 0u);
+    const std::uint64_t looks_without_bound = looks;
+    looks = 0;
+    const std::uint64_t bound = all.rays / 4;
+    const Judgement some = judge(ours, theirs, counting, {}, {}, bound);
+    EXPECT_FALSE(some.pass);
+    EXPECT_GT(some.not_looked_at, 0u);
+    EXPECT_LT(some.not_looked_at, some.count(PixelClass::unexplained));
+    EXPECT_GE(some.count(PixelClass::unexplained), all.count(PixelClass::unexplained));
+    // Edges are looked for alike; a pixel that is begun is finished.
+    EXPECT_LT(some.rays, bound + 10000);
+    EXPECT_EQ(looks_without_bound - looks, all.rays - some.rays);
+    EXPECT_THAT(some.failures, Contains(HasSubstr("were not looked at: explaining ended after")));
+}
+
 // ---- Seeded faults: each is a mistake a ray tracer may make.
 
 TEST(SeededFault, ALampOnePercentDimmerIsUnexplained) {

@@ -344,6 +344,22 @@ TEST(KnownDifferences, NameBodiesWhoseAbsorptionPovRayApproximates) {
     EXPECT_TRUE(export_pov(scene, view).known_differences.empty()) << "nothing gets in";
 }
 
+TEST(KnownDifferences, NameAbsorbingMeshesWithInterpolatedNormals) {
+    Scene scene = empty_scene();
+    Material glass;
+    glass.transmission = 1;
+    auto mesh = std::make_shared<Mesh>();
+    mesh->vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh->faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    scene.meshes.push_back(mesh);
+    add_object(scene, MeshRef{0, true}, add_material(scene, glass));
+    EXPECT_TRUE(known(scene, Rule::absorption_smooth).empty()) << "nothing absorbs";
+    scene.materials.back().absorption = Color(1);
+    EXPECT_THAT(known(scene, Rule::absorption_smooth), testing::ElementsAre(0));
+    scene.settings.smooth = false;
+    EXPECT_TRUE(known(scene, Rule::absorption_smooth).empty());
+}
+
 TEST(KnownDifferences, NameSheetsInsideBodies) {
     Scene scene = empty_scene();
     Material glass;

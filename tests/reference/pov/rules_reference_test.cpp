@@ -87,6 +87,40 @@ TEST_F(Rules, ASheetInAMediumBends) {
     EXPECT_NEAR(seen(5, scene + sheet), 0.5, step);
 }
 
+/// A smooth facet bends the ray back in front of itself; at the next face of the mesh it leaves all
+/// the same. A wall shows where it arrives.
+TEST_F(Rules, SmoothMeshesCountMediaByTheKindOfRay) {
+    const std::string mesh =
+        "mesh { smooth_triangle { <-0.1, -2, 1>, <-1, -0.01, 1>, <0.1, 0, -1>, <-1, 0, 1>, <-0.1, "
+        "2, 1>, <-1, 0.01, 1> } triangle { <-50, -50, -2>, <50, -50, -2>, <0, 80, -2> } texture { "
+        "Clear } interior { ior 1.5 } }";
+    const std::string wall =
+        "plane { z, -4 pigment { gradient x color_map { [0 rgb 0] [1 rgb 1] } scale 8 } finish { "
+        "ambient 1 diffuse 0 } }";
+    const double incident = std::asin(std::sqrt(0.5));  // to the shading normal
+    const double first = std::sin(incident - std::asin(std::sqrt(0.5) / 1.5));
+    const auto tangent = [](double sine) { return sine / std::sqrt(1 - sine * sine); };
+    const double leaving = 2 * tangent(first) + 2 * tangent(1.5 * first);
+    const double entering = 2 * tangent(first) + 2 * tangent(first / 1.5);
+    ASSERT_GT(leaving - entering, 0.1);
+    EXPECT_NEAR(seen(5, mesh + wall), leaving / 8, step);
+}
+
+TEST_F(Rules, ThreeEqualNormalsAreNone) {
+    const auto lit = [&](const std::string& third) {
+        return seen(
+            5,
+            "light_source { <0, 0, 100> rgb 1 parallel point_at 0 } mesh2 { vertex_vectors { "
+            "3, <-1, -1, 0>, <1, -1, 0>, <0, 1, 0> } normal_vectors { 3, <0.6, 0, 0.8>, <0.6, "
+            "0, 0.8>, <0.6, " +
+                third +
+                ", 0.8> } face_indices { 1, <0, 1, 2> } pigment { rgb 1 } finish { ambient 0 "
+                "diffuse 1 } }");
+    };
+    EXPECT_NEAR(lit("0.001"), 0.8, 1e-5);
+    EXPECT_NEAR(lit("0"), 1, step);
+}
+
 TEST_F(Rules, GradientsRepeatWithAnotherPeriodBelowZero) {
     const auto wall = [](double x) {
         return fmt::format(
