@@ -9,8 +9,10 @@ scenes until one fails. A literal is
   - a number, or `true` or `false`, in code: a whole number grows by one, another by a quarter, a truth is turned over;
   - a text that the exporter writes: the first number in it is changed like that, or its first word is misspelt.
 
-Not drawn, because no picture depends on them: comments, preprocessor lines, assertions, comments inside the .pov file,
-and the words of messages to the user (refusals, approximations, FileErrors).
+Not drawn, because no picture depends on them or none should: comments, preprocessor lines, assertions; comments inside
+the .pov file; the words of messages to the user (refusals, approximations, FileErrors) and the conditions for them;
+initial and default values; bounds of rounding errors and guards against it (a comparison with 0, a value clamped);
+the notes that only `explain` reads.
 Exits with 1 when fewer than all but one are noticed.
 """
 import argparse
@@ -25,7 +27,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WRITER = ["reference/pov/*.cpp", "reference/pov/*.h"]
-TALKERS = ["differences", "coincidence"]  # find what to warn of, and write nothing into the .pov file
+TALKERS = ["differences", "coincidence", "export"]  # find and name what to warn of, and write no line of the scene
 SHADER = ["tracer/whitted.h", "tracer/optics.h", "tracer/lights.h", "tracer/shadow.h", "tracer/media.h",
           "tracer/surface.h", "tracer/texture.h", "tracer/camera.h", "tracer/textures/*.h", "tracer/textures/*.cpp"]
 # Quick ones first: most mutants fall at the first.
@@ -38,6 +40,10 @@ TOKEN = re.compile(r'''
   | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?P<suffix>[uUlLfF]*))
 ''', re.VERBOSE | re.MULTILINE | re.DOTALL)
 MESSAGE = re.compile(r"(static_assert|assert|refuse|approximate|note|known|FileError|comment)\s*$")
+NOT_PICTURE = re.compile(r"gamma<|\bbound|\bspread|\berror|\bnote\(|witness|\bclipped\b|std::uint64_t|isfinite|"
+                         r"\b(typical|diagonal)\b")
+DEFAULT_VALUE = re.compile(r"(?:^\s*(?:[\w:<>]+\s+)+\w+\s*(?:=\s*|\{)|[(,]\s*[\w:]+\s+\w+\s*=\s*)$")
+GUARD = re.compile(r"[<>=!]=?\s*$")
 NUMBER_IN_TEXT = re.compile(r"(?<![\w{.])\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w}])")
 
 
@@ -90,6 +96,14 @@ def literals(file):
     messages = message_spans(source)
     for token in TOKEN.finditer(source):
         if any(begin <= token.start() < end for begin, end in messages):
+            continue
+        begin = source.rfind("\n", 0, token.start()) + 1
+        before, line = source[begin:token.start()], source[begin:source.find("\n", begin)]
+        if token.group("text") is None and (NOT_PICTURE.search(line) or DEFAULT_VALUE.search(before)):
+            continue
+        if token.group("text") and re.search(r'"[^"]*//', before):
+            continue
+        if token.group("number") == "0" and GUARD.search(before):
             continue
         old = token.group()
         new = None
