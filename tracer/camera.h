@@ -18,20 +18,29 @@ struct Lens {
         right;      ///< of the picture's whole width, at distance 1 (perspective) or in world units
     Vec3<Real> up;  ///< of its whole height
     bool orthographic;
+    /// How far before the camera, along `forward`, rays have their origin: see far_camera.h.
+    Real ahead = 0;
+    VectorSum<Real> origin{};  ///< that of the middle ray, where `ahead` is not 0
 };
+
+/// A place of the scene in world coordinates.
+template <class Real>
+Vec3<Real> world_place(const Vec3d& p, int scale_exponent) {
+    using std::ldexp;
+    // Widened first: neither a float's range nor a double's may be left on the way.
+    const Vec3<long double> q = convert<long double>(p);
+    return {static_cast<Real>(ldexp(q.x, scale_exponent)),
+            static_cast<Real>(ldexp(q.y, scale_exponent)),
+            static_cast<Real>(ldexp(q.z, scale_exponent))};
+}
 
 /// \param scale_exponent  World::scale_exponent
 template <class Real>
 Lens<Real> make_lens(const Camera& camera, int width, int height, int scale_exponent) {
     using std::ldexp;
-    const auto scaled = [&](const Vec3d& p) {
-        const Vec3<Real> q = convert<Real>(p);
-        return Vec3<Real>(ldexp(q.x, scale_exponent), ldexp(q.y, scale_exponent),
-                          ldexp(q.z, scale_exponent));
-    };
     Lens<Real> lens;
-    lens.position = scaled(camera.position);
-    const Vec3<Real> view = scaled(camera.look_at) - lens.position;
+    lens.position = world_place<Real>(camera.position, scale_exponent);
+    const Vec3<Real> view = world_place<Real>(camera.look_at, scale_exponent) - lens.position;
     // Divided by their largest component first, so that no length overflows or vanishes.
     lens.forward = normalize(view / max_component(absolute(view)));
     const Vec3<Real> sky = convert<Real>(camera.up / max_component(absolute(camera.up)));
@@ -54,14 +63,34 @@ Lens<Real> make_lens(const Camera& camera, int width, int height, int scale_expo
     return lens;
 }
 
+/// The ray through a place of the picture, with its origin at the camera.
 template <class Real>
-Ray<Real> camera_ray(const Lens<Real>& lens, Real sx, Real sy) {
+Ray<Real> ray_from_camera(const Lens<Real>& lens, Real sx, Real sy) {
     const Vec3<Real> aside = sx * lens.right + sy * lens.up;
     if (lens.orthographic) {
         const VectorSum<Real> origin = two_sum(lens.position, aside);
         return make_ray(origin.hi, origin.lo, lens.forward, Real(0));
     }
     return make_ray(lens.position, Vec3<Real>(0), normalize(lens.forward + aside), Real(0));
+}
+
+/// The same line, with its origin where the lens has it.
+template <class Real>
+Ray<Real> camera_ray(const Lens<Real>& lens, Real sx, Real sy) {
+    if (!(lens.ahead > 0)) return ray_from_camera(lens, sx, sy);
+    const Vec3<Real> aside = sx * lens.right + sy * lens.up;
+    const Vec3<Real> dir = lens.orthographic ? lens.forward : normalize(lens.forward + aside);
+    VectorSum<Real> origin =
+        two_sum(lens.origin.hi, lens.orthographic ? aside : aside * lens.ahead);
+    origin.lo += lens.origin.lo;
+    return make_ray(origin.hi, origin.lo, dir, Real(0));
+}
+
+/// The camera's parameter on a ray that has its origin ahead of it: negative.
+template <class Real>
+Real camera_parameter(const Lens<Real>& lens, Real sx, Real sy) {
+    if (lens.orthographic) return -lens.ahead;
+    return -lens.ahead * length(lens.forward + sx * lens.right + sy * lens.up);
 }
 
 }  // namespace lancer

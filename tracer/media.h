@@ -121,8 +121,8 @@ template <class Real>
 std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray, Real t) {
     if (media.empty()) return 0;
     const Vec3<Real> point = (ray.origin + t * ray.dir) + ray.origin_lo;
-    const Vec3<Real> slack =
-        gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(t)) + Vec3<Real>(ray.origin_error);
+    const Vec3<Real> slack = gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(std::abs(t))) +
+                             Vec3<Real>(ray.origin_error);
     const auto outside = [&](std::uint32_t body) {
         const Bounds<Real>& b = world.medium_bounds[world.primitives[body].medium_slot];
         for (int axis = 0; axis < 3; ++axis) {

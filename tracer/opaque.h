@@ -34,11 +34,13 @@ class OpaqueTracer {
 
     const RayCounts& counts() const { return lighting_.counts; }
 
-    /// The colour that a camera ray brings. `witness` may be null.
-    Vec3<Real> camera_ray(const Ray<Real>& ray, Witness<Real>* witness) {
+    /// The colour that a camera ray brings: see Whitted. Where the camera stands matters to media
+    /// alone.
+    Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>&,
+                          Witness<Real>* witness) {
         ++lighting_.counts.primary;
         lighting_.witness = witness;
-        return trace(ray, {}, Real(1), 0);
+        return trace(ray, {at_camera, true, {}}, Real(1), 0);
     }
 
   private:

@@ -243,7 +243,7 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     NearestContact<Real> found;
     const auto limit = [&] { return found.limit(); };
     // A body that the ray is in may be left a rounding before the start.
-    const Real t_min = start.t * (1 - gamma<Real>(32));
+    const Real t_min = start.t - std::abs(start.t) * gamma<Real>(32);
     candidates(world, ray, t_min, limit, [&](std::uint32_t index) {
         if (shadows == Shadows::cast && !world.primitives[index].casts_shadow) return false;
         primitive_crossings(world, index, ray, accept.known(index), t_min, limit,

@@ -6,6 +6,7 @@
 
 #include "tracer/camera.h"
 #include "tracer/compile.h"
+#include "tracer/far_camera.h"
 #include "tracer/parallel.h"
 #include "tracer/whitted.h"
 
@@ -102,8 +103,10 @@ class RendererOf final : public Renderer {
     }
 
     Lens<Real> lens_of(const View& view) const {
-        return make_lens<Real>(cameras_[view.camera], view.width, view.height,
-                               world_->scale_exponent);
+        const Camera& camera = cameras_[view.camera];
+        Lens<Real> lens = make_lens<Real>(camera, view.width, view.height, world_->scale_exponent);
+        begin_near_scene(*world_, camera, lens);
+        return lens;
     }
     double unscaled(Real distance) const {
         return static_cast<double>(std::ldexp(distance, -world_->scale_exponent));
@@ -115,7 +118,13 @@ class RendererOf final : public Renderer {
                       Witness<Real>* witness) const {
         const Real sx = x / static_cast<Real>(view.width) - Real(0.5);
         const Real sy = Real(0.5) - y / static_cast<Real>(view.height);
-        return tracer.camera_ray(camera_ray(lens, sx, sy), witness);
+        const Ray<Real> ray = camera_ray(lens, sx, sy);
+        if (!(lens.ahead > 0)) return tracer.camera_ray(ray, Real(0), ray, witness);
+        const Real at_camera = camera_parameter(lens, sx, sy);
+        const Vec3<Real> color =
+            tracer.camera_ray(ray, at_camera, ray_from_camera(lens, sx, sy), witness);
+        if (witness != nullptr && witness->met) witness->distance -= at_camera;
+        return color;
     }
 
     template <class Tracer>

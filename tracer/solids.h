@@ -253,6 +253,9 @@ class Solids {
             normalize(convert<Real>(plane.normal / max_component(absolute(plane.normal))));
         const Vec3<Real> on = n * number(plane.offset, own);
         if (is_identity(map)) return HalfSpace<Real>{n, on, Real(0)};
+        // Scaled by a power of two or only moved: not normalized a second time.
+        if (is_scale_by_two(map))
+            return HalfSpace<Real>{n, map_point(map, on), moved_by(map, {on})};
         Affine<long double> linear = convert<long double>(map);
         linear.shift = Vec3<long double>(0);
         const Vec3<long double> turned = map_transposed(inverse(linear), convert<long double>(n));

@@ -23,11 +23,14 @@ class Whitted {
 
     const RayCounts& counts() const { return lighting_.counts; }
 
-    /// The colour that a camera ray brings. `witness` may be null.
-    Vec3<Real> camera_ray(const Ray<Real>& ray, Witness<Real>* witness) {
+    /// The colour that a camera ray brings. The camera is at parameter `at_camera` (<= 0) of the
+    /// ray; `from_camera` is the same line with its origin there. `witness` may be null.
+    Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>& from_camera,
+                          Witness<Real>* witness) {
         ++lighting_.counts.primary;
         lighting_.witness = witness;
-        return trace(ray, {}, origins_.around(world_, ray), Real(1), 0, {});
+        return trace(ray, {at_camera, true, {}}, origins_.around(world_, from_camera), Real(1), 0,
+                     {});
     }
 
   private:

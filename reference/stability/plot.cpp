@@ -22,7 +22,7 @@ constexpr double right = 14;
 constexpr double top = 30;
 constexpr double bottom = 34;
 constexpr double head = 58;
-constexpr double none_row = 16;  ///< height of the line for "none"
+constexpr double none_row = 22;  ///< height of the line for "none"
 
 /// A step between labels that leaves at most eight of them.
 int label_step(int span) {
@@ -67,6 +67,11 @@ class PanelDrawing {
         return bottom_edge() - none_row - room * part;
     }
 
+    std::string power(int k) const {
+        if (panel_.base.empty()) return std::to_string(k);
+        return fmt::format("{}<tspan class=\"u\" dy=\"-4\">{}</tspan>", panel_.base, k);
+    }
+
     std::string axes() const {
         const double x0 = x_ + left;
         const double x1 = x_ + panel_width - right;
@@ -90,9 +95,8 @@ class PanelDrawing {
         for (int k = begin; k <= high_; k += step) {
             out += fmt::format(
                 "<line class=\"g\" x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\"/>"
-                "<text class=\"m\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4}<tspan class=\"u\" dy=\"-4\">{5}"
-                "</tspan></text>\n",
-                at(k), bottom_edge(), bottom_edge() + 4, bottom_edge() + 17, panel_.base, k);
+                "<text class=\"m\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4}</text>\n",
+                at(k), bottom_edge(), bottom_edge() + 4, bottom_edge() + 17, power(k));
         }
         return out;
     }
@@ -153,7 +157,7 @@ std::string plot_svg(const std::string& title, const std::vector<PlotPanel>& pan
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
         "width=\"{0:.0f}\" height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n"
-        "<style>.t{{font-size:12px;font-weight:bold}}.f{{fill:none;stroke:#999}}"
+        "<style>.t{{font-size:11px;font-weight:bold}}.f{{fill:none;stroke:#999}}"
         ".g{{stroke:#ddd}}.e{{text-anchor:end;fill:#444}}.m{{text-anchor:middle;fill:#444}}"
         ".u{{font-size:8px}}</style>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"

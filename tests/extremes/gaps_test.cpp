@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tests/extremes/stage.h"
+#include "tests/extremes/picture.h"
 
 namespace lancer::extremes {
 namespace {
@@ -19,24 +19,6 @@ Stage lit_floor() {
     return s;
 }
 
-TEST(Thin, OpaqueSlabsAndDiscsShowAndShade) {
-    for (const bool disc : {false, true}) {
-        const auto scene = [&](double thick) {
-            Stage s = lit_floor();
-            s.add(Plane{{0, 1, 0}, 0}, s.matt(floor_color));
-            const std::uint32_t red = s.matt({0.9, 0.1, 0.1});
-            if (disc)
-                s.add(Cylinder{{0, 1, 0}, {0, 1 + thick, 0}, 0.75}, red);
-            else
-                s.add(Box{{-0.75, 1, -0.75}, {0.75, 1 + thick, 0.75}}, red);
-            return s.scene;
-        };
-        const Image reference = picture(scene(power10(-9)));
-        for (int k = 10; k <= 15; ++k)
-            EXPECT_EQ(wrong(picture(scene(power10(-k))), reference), 0) << disc << " " << k;
-    }
-}
-
 TEST(Thin, SlabOfNoThicknessIsStillThere) {
     Stage s = lit_floor();
     s.add(Plane{{0, 1, 0}, 0}, s.matt(floor_color));
@@ -45,49 +27,6 @@ TEST(Thin, SlabOfNoThicknessIsStillThere) {
     thick.add(Plane{{0, 1, 0}, 0}, thick.matt(floor_color));
     thick.add(Box{{-0.75, 1, -0.75}, {0.75, 1 + 1e-9, 0.75}}, thick.matt({0.9, 0.1, 0.1}));
     EXPECT_EQ(wrong(picture(s.scene), picture(thick.scene)), 0);
-}
-
-TEST(Thin, GlassSlabs) {
-    for (const double ior : {1.0, 1.5}) {
-        Stage without = lit_floor();
-        without.add(Plane{{0, 1, 0}, 0}, without.matt(floor_color));
-        without.add(Box{{-0.25, 0, -0.25}, {0.25, 0.5, 0.25}}, without.matt({0.2, 0.3, 0.9}));
-        const Image reference = picture(without.scene);
-        for (int k = 5; k <= 15; ++k) {
-            Stage s;
-            s.scene = without.scene;
-            s.add(Box{{-1, 1, -1}, {1, 1 + power10(-k), 1}}, s.glass(ior));
-            EXPECT_EQ(wrong(picture(s.scene), reference), 0) << ior << " " << k;
-        }
-    }
-}
-
-TEST(Gap, NearerSurfaceWins) {
-    // Red lies 10^-k above blue and must hide it.
-    for (const char* shape : {"box", "triangle"}) {
-        for (int k = 1; k <= 14; ++k) {
-            Stage s;
-            s.scene.ambient = {1, 1, 1};
-            Material lit;
-            lit.ambient = 1;
-            lit.diffuse = 0;
-            lit.color = {1, 0, 0};
-            const std::uint32_t red = s.material(lit);
-            lit.color = {0, 0, 1};
-            const std::uint32_t blue = s.material(lit);
-            s.look({0.3, 4, 2.5}, {0, 0, 0}, 20);
-            const double gap = power10(-k);
-            s.add(Plane{{0, 1, 0}, 0}, blue);
-            if (std::string(shape) == "box")
-                s.add(Box{{-9, gap, -9}, {9, gap + 0.5, 9}}, red);
-            else
-                s.add(Triangle{{Vec3d(-30, gap, -30), Vec3d(30, gap, -30), Vec3d(0, gap, 40)}},
-                      red);
-            EXPECT_EQ(wrong(picture(s.scene), Color(1, 0, 0)), 0) << shape << " " << k;
-            std::reverse(s.scene.objects.begin(), s.scene.objects.end());
-            EXPECT_EQ(wrong(picture(s.scene), Color(1, 0, 0)), 0) << shape << " reversed " << k;
-        }
-    }
 }
 
 /// A receiver seen from behind, lit through: its picture is the shadow on its other side, where an
@@ -194,19 +133,6 @@ TEST(NoGap, GluedAndRestingSolidsInEveryOrder) {
             EXPECT_EQ(wrong(picture(sunk.scene), image), 0) << solid << " sunk " << angle;
         }
     }
-}
-
-TEST(NoGap, TwoBlocksWithAnAirGap) {
-    const auto scene = [](double gap) {
-        Stage s = lit_floor();
-        s.add(Plane{{0, 1, 0}, -1}, s.matt(floor_color));
-        s.add(Sphere{{0.2, -0.6, -0.4}, 0.4}, s.matt({0.9, 0.2, 0.1}));
-        s.add(Box{{-1, 0, -1}, {1, 0.25, 1}}, s.glass(1.5));
-        s.add(Box{{-1, 0.25 + gap, -1}, {1, 0.5 + gap, 1}}, s.glass(1.5));
-        return s.scene;
-    };
-    const Image reference = picture(scene(1e-9));
-    for (int k = 10; k <= 15; ++k) EXPECT_EQ(wrong(picture(scene(power10(-k))), reference), 0) << k;
 }
 
 }  // namespace

@@ -1,28 +1,10 @@
 // The same shape, written out and under groups.
 #include <gtest/gtest.h>
 
-#include "tests/extremes/stage.h"
+#include "tests/extremes/picture.h"
 
 namespace lancer::extremes {
 namespace {
-
-TEST(Groups, EvenScale) {
-    const Scene scene = base_stage().scene;
-    const Image reference = picture(scene);
-    for (const int k : {-90, -9, -3, 3, 9, 90}) {
-        const double f = power10(k);
-        EXPECT_EQ(wrong(picture(under(scene, stretch(f, f, f))), reference), 0) << k;
-    }
-}
-
-TEST(Groups, Translation) {
-    const Scene scene = base_stage().scene;
-    const Image reference = picture(scene);
-    for (int k = 0; k <= 12; ++k) {
-        const Image image = picture(under(scene, shift(Vec3d(power10(k)))));
-        EXPECT_EQ(wrong(image, reference), 0) << k;
-    }
-}
 
 TEST(Groups, TurnedAndMirrored) {
     const Scene scene = base_stage().scene;
@@ -39,39 +21,6 @@ TEST(Groups, TurnedAndMirrored) {
         }
     }
     EXPECT_EQ(off, 0);
-}
-
-TEST(Groups, FiftyNested) {
-    const Scene scene = base_stage().scene;
-    Affine<double> map;
-    for (int i = 0; i < 50; ++i)
-        map = compose(compose(turn(i % 3, 11.0 * i), shift(Vec3d(0.1 * i, -1, 0.3))), map);
-    EXPECT_EQ(wrong(picture(under(scene, map)), picture(scene)), 0);
-}
-
-/// Objects written tiny along one axis and stretched back: 1 : 10^6.
-TEST(Groups, StretchedBack) {
-    const Image reference = picture(base_stage().scene);
-    for (const double f : {1e-6, 1e6}) {
-        Stage s = base_stage();
-        for (Object& o : s.scene.objects) {
-            Affine<double> map = stretch(1, f, 1);
-            if (auto* box = std::get_if<Box>(&o.shape)) {
-                box->min.y /= f;
-                box->max.y /= f;
-            } else if (auto* ref = std::get_if<MeshRef>(&o.shape)) {
-                Mesh mesh = *s.scene.meshes[ref->mesh];
-                for (Vec3d& v : mesh.vertices) v.y /= f;
-                s.scene.meshes[ref->mesh] = std::make_shared<Mesh>(mesh);
-            } else {
-                // What cannot be written unevenly: stretched twice, as by two groups.
-                map = compose(stretch(1, 1 / f, 1), stretch(1, f, 1));
-            }
-            o.transform = static_cast<std::uint32_t>(s.scene.transforms.size());
-            s.scene.transforms.push_back(map);
-        }
-        EXPECT_EQ(wrong(picture(s.scene), reference), 0) << f;
-    }
 }
 
 /// Ellipsoids against each other: the same one as a stretched sphere in two ways.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/extremes/stage.h"
+#include "tests/extremes/picture.h"
 
 namespace lancer::extremes {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "model/scene.h"
 #include "model/similar.h"
-#include "tracer/render.h"
 
 namespace lancer::extremes {
 
@@ -44,17 +43,6 @@ Affine<double> stretch(double x, double y, double z);
 Affine<double> shift(const Vec3d& by);
 /// About `axis` (0, 1, 2), degrees.
 Affine<double> turn(int axis, double angle);
-
-/// The picture, after a check that it holds no NaN and that no body was lost on the way.
-Image picture(const Scene& scene, Precision precision = Precision::double_);
-
-/// Pixels that differ by more than 1/255 in a channel, both clipped to [0, 1].
-int wrong(const Image& a, const Image& b);
-/// Pixels that differ at all.
-int different(const Image& a, const Image& b);
-/// Pixels that are not the first one's colour, with the same measure as wrong().
-int not_uniform(const Image& a);
-int wrong(const Image& a, const Color& everywhere);
 
 inline double power10(int k) {
     return std::stod("1e" + std::to_string(k));

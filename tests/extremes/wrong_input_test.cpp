@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "model/diagnostic.h"
-#include "tests/extremes/stage.h"
+#include "tests/extremes/picture.h"
 
 namespace lancer::extremes {
 namespace {

@@ -95,6 +95,26 @@ bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, Triang
     return true;
 }
 
+/// A bound on the distance from the plane of edges `ab`, `ac` of a point computed as u ab + v ac:
+/// each component errs by a few u of its terms, the edges' own rounding included, and the distance
+/// takes of that the part along the normal, which for a face along the axes is nothing. The
+/// normal's rounding is added to it; where that is as large as the normal, as in a needle, it says
+/// nothing.
+template <class Real>
+Real weighted_point_error(const Vec3<Real>& ab, const Vec3<Real>& ac, const Vec3<Real>& normal,
+                          Real u, Real v) {
+    const Vec3<Real> b = absolute(ab);
+    const Vec3<Real> c = absolute(ac);
+    const Real anyhow = gamma<Real>(5) * (max_component(b) + max_component(c));
+    const Vec3<Real> off(b.y * c.z + b.z * c.y, b.z * c.x + b.x * c.z, b.x * c.y + b.y * c.x);
+    const Vec3<Real> n = absolute(normal);
+    const Real least = max_component(n) - gamma<Real>(4) * max_component(off);
+    if (!(least > 0)) return anyhow;
+    const Vec3<Real> terms = std::abs(u) * b + std::abs(v) * c;
+    const Real along = gamma<Real>(6) * dot(n + gamma<Real>(4) * off, terms) / least;
+    return along < anyhow ? along : anyhow;
+}
+
 /// The point of the triangle with these weights: on it, however far away the ray started.
 template <class Real>
 SurfacePoint<Real> triangle_point(const TriangleSheet<Real>& triangle, Real u, Real v) {
@@ -102,7 +122,7 @@ SurfacePoint<Real> triangle_point(const TriangleSheet<Real>& triangle, Real u, R
     const Vec3<Real> ac = triangle.c - triangle.a;
     const Vec3<Real> normal = cross(ab, ac);
     const Vec3<Real> offset = u * ab + v * ac;
-    const Real error = gamma<Real>(5) * (max_component(absolute(ab)) + max_component(absolute(ac)));
+    const Real error = weighted_point_error(ab, ac, normal, u, v);
     return {triangle.a, offset, error, normal, normal, Vec2<Real>(u, v)};
 }
 

@@ -1,0 +1,45 @@
+// Every row of docs/accuracy.md, held to its aims.
+#include "tests/extremes/rows.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/extremes/picture.h"
+
+namespace lancer::extremes {
+
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
+
+namespace {
+
+class Rows : public testing::TestWithParam<Row> {};
+
+int wrong_at(const Row& row, int k) {
+    const Image image = picture(row.scene(k));
+    if (row.uniform) return wrong(image, *row.uniform);
+    if (row.formula) return wrong(image, row.formula(k));
+    if (row.exactly_as) return wrong(image, picture(row.exactly_as(k), Precision::extended));
+    const Image same = picture(row.same_as(k));
+    return row.bits ? different(image, same) : wrong(image, same);
+}
+
+TEST_P(Rows, HoldTheirAims) {
+    const Row& row = GetParam();
+    int asked = 0;
+    for (const int k : row.ks) {
+        const std::optional<int> allowed = row.allowed(k);
+        if (!allowed) continue;
+        ++asked;
+        EXPECT_LE(wrong_at(row, k), *allowed) << row.name << ", k = " << k;
+    }
+    EXPECT_GT(asked, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, Rows, testing::ValuesIn(rows_of_places()));
+INSTANTIATE_TEST_SUITE_P(Gaps, Rows, testing::ValuesIn(rows_of_gaps()));
+INSTANTIATE_TEST_SUITE_P(Shapes, Rows, testing::ValuesIn(rows_of_shapes()));
+INSTANTIATE_TEST_SUITE_P(Light, Rows, testing::ValuesIn(rows_of_light()));
+
+}  // namespace
+}  // namespace lancer::extremes
