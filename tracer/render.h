@@ -79,7 +79,8 @@ class Renderer {
 
     /// The picture in linear light, the same bytes for any number of threads. With `view.aov` it
     /// has the extra channels object.id, depth.Z, normal.X, normal.Y, normal.Z, shadow.Y (share of
-    /// the lights that do not reach the point), taken by the ray through the pixel's centre.
+    /// the lights that do not reach the point), taken by the ray through the pixel's centre. Throws
+    /// SceneError when light leaves the number type's range.
     virtual Image render(const View& view, const Progress& progress, RayCounts& counts) const = 0;
 
     /// One ray through the point (x, y) of the image plane, in pixels: (0.5, 0.5) is the centre of

@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <mutex>
+#include <string>
 
+#include "model/diagnostic.h"
 #include "tracer/camera.h"
 #include "tracer/compile.h"
 #include "tracer/far_camera.h"
@@ -44,6 +46,7 @@ class RendererOf final : public Renderer {
                 counts += tracer.counts();
             });
         });
+        refuse_overflow(image);
         return image;
     }
 
@@ -99,6 +102,21 @@ class RendererOf final : public Renderer {
         } else {
             OpaqueTracer<Real> tracer(*world_);
             work(tracer);
+        }
+    }
+
+    /// Light that no number holds becomes infinite, and with a factor of 0 no number at all.
+    static void refuse_overflow(const Image& image) {
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                const double* pixel = image.pixel(x, y);
+                if (std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]))
+                    continue;
+                throw SceneError({},
+                                 "lights and colours are so bright that their product leaves "
+                                 "the range of the chosen precision, first at pixel " +
+                                     std::to_string(x) + ", " + std::to_string(y));
+            }
         }
     }
 

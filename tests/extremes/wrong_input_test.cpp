@@ -101,5 +101,27 @@ TEST(WrongInput, NumbersNextToZero) {
     }
 }
 
+/// Light that leaves the range is an error and no picture of NaN.
+TEST(WrongInput, LightBeyondAllNumbers) {
+    for (const double x : {1e30, 1e100, 1e200, 1.7e308}) {
+        Stage s = base_stage();
+        s.lamp({1, 9, 1}, Color(x));
+        for (Material& m : s.scene.materials) {
+            m.color *= x;
+            m.phong = x;
+            if (m.filter == 0) m.reflection = Color(x);
+        }
+        picture_or_error(s.scene, "bright");
+        s.scene.background = Color(x);
+        s.scene.ambient = Color(x);
+        for (Material& m : s.scene.materials) m.emission = m.absorption = Color(x);
+        picture_or_error(s.scene, "bright everywhere");
+    }
+    Stage s = base_stage();
+    s.lamp({1, 9, 1}, Color(1e308));
+    s.scene.materials[1].color = Color(1e308);
+    EXPECT_THROW(picture(s.scene), SceneError);
+}
+
 }  // namespace
 }  // namespace lancer::extremes
