@@ -73,6 +73,7 @@ std::string range_row(const Window& w, std::size_t pixels) {
     const Change change = w.trial.change;
     const int origin = w.trial.origin();
     const bool two_sided = change == Change::scale || change == Change::twos;
+    if (w.samples.empty() && w.cut_short) return row(title_of(change), "", "", "no time for more");
     std::vector<std::string> notes;
     if (two_sided) notes.push_back(beyond(w.samples, change, w.lowest, -1, pixels));
     notes.push_back(beyond(w.samples, change, w.highest, 1, pixels));
