@@ -47,7 +47,9 @@ class Solids {
           world_(world),
           tessellated_(settings.tolerance || std::ranges::any_of(scene.patches, [](const Patch& p) {
                            return p.tolerance.has_value();
-                       })) {}
+                       })) {
+        if (tessellated_) collect_borders();
+    }
 
     /// \param mesh  the compiled mesh, for a MeshRef
     Primitive<Real> make(const Object& object, const TriangleMesh<Real>* mesh) {
@@ -302,18 +304,33 @@ class Solids {
                       const TriangleMesh<Real>*, Primitive<Real>& p) {
         if (!is_identity(map)) add_frame(map, p);
         if (!tessellated_) return bicubic(ref, own);
-        const auto tolerance = own_tolerance(ref);
+        const auto tolerance = own_tolerance(*object_, ref);
         auto& surface = patches_[{ref.patch, own, tolerance}];
         if (surface == nullptr) {
             if (!splines::is_within_limit(scene_.patches[ref.patch], tolerance))
                 throw SceneError(object_->place,
                                  "this patch would need more than 50 million triangles to stay "
                                  "within its tolerance");
-            world_.patches.push_back(std::make_unique<PatchSurface<Real>>(
-                scene_.patches[ref.patch], tolerance, own, settings_.smooth));
+            world_.patches.push_back(
+                std::make_unique<PatchSurface<Real>>(scene_.patches[ref.patch], tolerance,
+                                                     &world_.patch_borders, own, settings_.smooth));
             surface = world_.patches.back().get();
         }
         return PatchSolid<Real>{surface, settings_.smooth};
+    }
+
+    /// Where all patches have one tolerance, their borders need no more than that.
+    void collect_borders() {
+        std::vector<std::pair<const Patch*, std::optional<double>>> patches;
+        bool alike = true;
+        for (const Object& object : scene_.objects) {
+            const auto* ref = std::get_if<PatchRef>(&object.shape);
+            if (ref == nullptr) continue;
+            patches.emplace_back(&scene_.patches[ref->patch], own_tolerance(object, *ref));
+            alike = alike && patches.back().second == patches.front().second;
+        }
+        if (alike) return;
+        for (const auto& [patch, tolerance] : patches) world_.patch_borders.add(*patch, tolerance);
     }
 
     Solid<Real> bicubic(const PatchRef& ref, int own) {
@@ -328,8 +345,8 @@ class Solids {
 
     /// The tolerance of a patch in its own space: the strictest of what is asked of it. That of the
     /// settings is in world units; a shape's own holds in both, so that no reading of it is broken.
-    std::optional<double> own_tolerance(const PatchRef& ref) const {
-        const double stretch = largest_stretch(scene_.transforms[object_->transform]);
+    std::optional<double> own_tolerance(const Object& object, const PatchRef& ref) const {
+        const double stretch = largest_stretch(scene_.transforms[object.transform]);
         std::optional<double> tolerance;
         if (settings_.tolerance) tolerance = *settings_.tolerance / stretch;
         if (const auto own = scene_.patches[ref.patch].tolerance) {

@@ -91,6 +91,7 @@ struct World {
     std::vector<std::uint32_t>
         mediums;  ///< primitives that are media: largest box first, then declaration
     std::vector<std::unique_ptr<TriangleMesh<Real>>> meshes;
+    splines::BorderTolerances patch_borders;  ///< where patches of different tolerances may meet
     std::vector<std::unique_ptr<PatchSurface<Real>>> patches;
     std::vector<std::unique_ptr<BicubicSurface<Real>>> bicubics;
     std::vector<std::unique_ptr<splines::Revolution<Real>>> revolutions;

@@ -8,9 +8,14 @@
 namespace lancer {
 
 template <class Real>
-PatchSurface<Real>::PatchSurface(Patch patch, std::optional<double> tolerance, int exponent,
+PatchSurface<Real>::PatchSurface(Patch patch, std::optional<double> tolerance,
+                                 const splines::BorderTolerances* borders, int exponent,
                                  bool smooth)
-    : patch_(std::move(patch)), tolerance_(tolerance), exponent_(exponent), smooth_(smooth) {
+    : patch_(std::move(patch)),
+      tolerance_(tolerance),
+      borders_(borders),
+      exponent_(exponent),
+      smooth_(smooth) {
     for (const Vec3d& p : patch_.control) {
         bounds_.extend(convert<Real>(Vec3d(std::ldexp(p.x, exponent), std::ldexp(p.y, exponent),
                                            std::ldexp(p.z, exponent))));
@@ -21,7 +26,8 @@ template <class Real>
 const TriangleMesh<Real>& PatchSurface<Real>::build() const {
     const std::lock_guard lock(building_);
     if (mesh_ == nullptr) {
-        auto mesh = std::make_shared<const Mesh>(splines::tessellate(patch_, tolerance_).value());
+        auto mesh =
+            std::make_shared<const Mesh>(splines::tessellate(patch_, tolerance_, borders_).value());
         mesh_ = compile_mesh<Real>(std::move(mesh), exponent_, MeshNeeds{smooth_, false}, 1);
         ready_.store(mesh_.get(), std::memory_order_release);
     }

@@ -10,6 +10,7 @@
 #include "model/shapes.h"
 #include "tracer/bounds.h"
 #include "tracer/shapes/mesh.h"
+#include "tracer/splines/tessellate.h"
 
 namespace lancer {
 
@@ -19,8 +20,10 @@ template <class Real>
 class PatchSurface {
   public:
     /// \param tolerance  in the patch's own space; see splines::tessellate()
+    /// \param borders    outlives this; may be null
     /// \param exponent   its triangles are the patch's own times 2^exponent
-    PatchSurface(Patch patch, std::optional<double> tolerance, int exponent, bool smooth);
+    PatchSurface(Patch patch, std::optional<double> tolerance,
+                 const splines::BorderTolerances* borders, int exponent, bool smooth);
 
     /// Safe from many threads: one builds, the others wait.
     const TriangleMesh<Real>& mesh() const {
@@ -38,6 +41,7 @@ class PatchSurface {
 
     Patch patch_;
     std::optional<double> tolerance_;
+    const splines::BorderTolerances* borders_;
     int exponent_;
     bool smooth_;
     Bounds<Real> bounds_;

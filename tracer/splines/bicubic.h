@@ -136,47 +136,60 @@ void restrict_to(std::array<Vec3d, Count>& c, double low, double high) {
     }
 }
 
-/// The largest control vector over a rectangle: bounds the polynomial there (convex hull).
+/// The control vectors over a rectangle instead of the unit square.
 template <std::size_t Rows, std::size_t Columns>
-double largest_over(VectorNet<Rows, Columns> net, double u0, double u1, double v0, double v1) {
+VectorNet<Rows, Columns> restricted(VectorNet<Rows, Columns> net, double u0, double u1, double v0,
+                                    double v1) {
     for (auto& row : net.c) restrict_to(row, u0, u1);
-    double largest = 0;
     for (std::size_t j = 0; j < Columns; ++j) {
         std::array<Vec3d, Rows> column;
         for (std::size_t i = 0; i < Rows; ++i) column[i] = net.c[i][j];
         restrict_to(column, v0, v1);
-        for (const Vec3d& x : column) largest = std::max(largest, length_squared(x));
+        for (std::size_t i = 0; i < Rows; ++i) net.c[i][j] = column[i];
     }
-    return std::sqrt(largest);
+    return net;
+}
+
+/// The largest control vector: bounds the polynomial (convex hull).
+template <std::size_t Rows, std::size_t Columns>
+double largest(const VectorNet<Rows, Columns>& net) {
+    double most = 0;
+    for (const auto& row : net.c) {
+        for (const Vec3d& x : row) most = std::max(most, length_squared(x));
+    }
+    return std::sqrt(most);
 }
 
 /// The three second derivatives of a patch as polynomials.
-class Curvature {
-  public:
+struct Curvature {
     explicit Curvature(const Bicubic<double>& p) {
         const auto at = [&](std::size_t i, std::size_t j) { return p[4 * i + j]; };
         for (std::size_t i = 0; i < 4; ++i) {
             for (std::size_t j = 0; j < 2; ++j) {
-                uu_.c[i][j] = 6.0 * ((at(i, j) + at(i, j + 2)) - 2.0 * at(i, j + 1));
-                vv_.c[j][i] = 6.0 * ((at(j, i) + at(j + 2, i)) - 2.0 * at(j + 1, i));
+                uu.c[i][j] = 6.0 * ((at(i, j) + at(i, j + 2)) - 2.0 * at(i, j + 1));
+                vv.c[j][i] = 6.0 * ((at(j, i) + at(j + 2, i)) - 2.0 * at(j + 1, i));
             }
         }
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
-                uv_.c[i][j] = 9.0 * ((at(i, j) + at(i + 1, j + 1)) - (at(i, j + 1) + at(i + 1, j)));
+                uv.c[i][j] = 9.0 * ((at(i, j) + at(i + 1, j + 1)) - (at(i, j + 1) + at(i + 1, j)));
             }
         }
     }
 
-    SecondDerivatives over(double u0, double u1, double v0, double v1) const {
-        return {largest_over(uu_, u0, u1, v0, v1), largest_over(uv_, u0, u1, v0, v1),
-                largest_over(vv_, u0, u1, v0, v1)};
+    /// The same over a rectangle.
+    Curvature over(double u0, double u1, double v0, double v1) const {
+        Curvature part = *this;
+        part.uu = restricted(uu, u0, u1, v0, v1);
+        part.uv = restricted(uv, u0, u1, v0, v1);
+        part.vv = restricted(vv, u0, u1, v0, v1);
+        return part;
     }
+    SecondDerivatives largest_lengths() const { return {largest(uu), largest(uv), largest(vv)}; }
 
-  private:
-    VectorNet<4, 2> uu_;
-    VectorNet<3, 3> uv_;
-    VectorNet<2, 4> vv_;
+    VectorNet<4, 2> uu;
+    VectorNet<3, 3> uv;
+    VectorNet<2, 4> vv;
 };
 
 /// Bound on the distance between a triangle and the surface over it, for a triangle whose corners

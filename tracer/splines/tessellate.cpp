@@ -9,6 +9,7 @@
 #include "model/patch_net.h"
 #include "model/splines.h"
 #include "tracer/splines/bicubic.h"
+#include "tracer/splines/certificate.h"
 #include "tracer/splines/grid_size.h"
 
 namespace lancer::splines {
@@ -16,8 +17,8 @@ namespace {
 
 /// A border gets this share of the tolerance: the strips beside it then have some to spend.
 constexpr double border_share = 0.75;
-/// Rings between a border and the grid before the attempt is given up; a dozen is a lot.
-constexpr int ring_limit = 40;
+/// Times that a strip between a border and the grid is halved before a finer grid is tried.
+constexpr int ring_limit = 6;
 
 struct Corner {
     double u;
@@ -48,15 +49,28 @@ class PatchMesher {
 
     void build() {
         const Ring outer = border_ring();
-        if (border_ == std::array{1, 1, 1, 1} &&
-            chord_error(curvature_.over(0, 1, 0, 1), 1, 1) <= tolerance_) {
-            emit(outer[0][0], outer[0][1], outer[1][1]);
-            emit(outer[0][0], outer[1][1], outer[2][1]);
-            return;
+        if (border_ == std::array{1, 1, 1, 1}) {
+            const std::array<Corner, 4> c{outer[0][0], outer[1][0], outer[2][0], outer[3][0]};
+            for (const std::size_t k : {0u, 1u}) {
+                const std::array t{std::array{c[k], c[k + 1], c[(k + 2) % 4]},
+                                   std::array{c[k], c[(k + 2) % 4], c[(k + 3) % 4]}};
+                if (!is_near(t[0]) || !is_near(t[1])) continue;
+                for (const auto& [p, q, r] : t) emit(p, q, r);
+                return;
+            }
         }
-        GridSize n = grid_size(curvature_, tolerance_);
-        n = {std::max(n.u, 2), std::max(n.v, 2)};
-        join(outer, 0.0, grid(n), 1.0, n, 0);
+        const std::size_t vertices = mesh_.vertices.size();
+        const std::size_t faces = mesh_.faces.size();
+        Grid n = proved_grid(p_, curvature_, tolerance_);
+        while (!join(outer, 0.0, grid(n), 1.0, n, 0)) {
+            // Rings of more vertices between border and grid; in the end a finer grid.
+            mesh_.vertices.resize(vertices);
+            mesh_.normals.resize(vertices);
+            mesh_.uvs.resize(vertices);
+            mesh_.faces.resize(faces);
+            ring_density_ *= 1.5;
+            if (ring_density_ > 4) n = finer_grid(p_, curvature_, tolerance_, n);
+        }
     }
 
   private:
@@ -107,7 +121,7 @@ class PatchMesher {
     }
 
     /// The inside of the grid; returns the ring around it.
-    Ring grid(const GridSize& n) {
+    Ring grid(const Grid& n) {
         const auto columns = static_cast<std::size_t>(n.u - 1);
         const auto rows = static_cast<std::size_t>(n.v - 1);
         std::vector<Corner> at;
@@ -122,8 +136,9 @@ class PatchMesher {
         for (std::size_t j = 0; j + 1 < rows; ++j) {
             for (std::size_t i = 0; i + 1 < columns; ++i) {
                 const Corner* c = &at[j * columns + i];
-                emit(c[0], c[1], c[columns + 1]);
-                emit(c[0], c[columns + 1], c[columns]);
+                const bool rising = n.rising[(j + 1) * static_cast<std::size_t>(n.u) + i + 1] != 0;
+                emit(c[0], c[1], rising ? c[columns + 1] : c[columns]);
+                emit(rising ? c[0] : c[1], c[columns + 1], c[columns]);
             }
         }
         Ring ring;
@@ -143,20 +158,22 @@ class PatchMesher {
         return ring;
     }
 
-    /// Fills the space between two rings, with further rings where one strip would break the
-    /// promise: near a border that is much straighter than the inside, step by step. A ring at f
-    /// lies at u = f/n, v = f/n from the border, so 0 is the border and 1 the grid.
-    void join(const Ring& outer, double f_outer, const Ring& inner, double f_inner,
-              const GridSize& n, int depth) {
+    /// Fills the space between two rings, or tells that it cannot: with further rings where one
+    /// strip would break the promise: near a border that is much straighter than the inside, step
+    /// by step. A ring at f lies at u = f/n, v = f/n from the border, so 0 is the border and 1 the
+    /// grid.
+    bool join(const Ring& outer, double f_outer, const Ring& inner, double f_inner, const Grid& n,
+              int depth) {
         std::vector<std::array<Corner, 3>> triangles;
         bool kept = true;
         for (std::size_t k = 0; k < 4; ++k) {
-            kept = strip(outer[k], inner[k], k, f_inner, n, triangles) && kept;
+            kept = kept && strip(outer[k], inner[k], k, f_outer == 0, triangles);
         }
-        if (kept || depth > ring_limit) {
+        if (kept) {
             for (const auto& t : triangles) emit(t[0], t[1], t[2]);
-            return;
+            return true;
         }
+        if (depth == ring_limit) return false;
         const double f = f_outer == 0 ? f_inner / 4 : std::sqrt(f_outer * f_inner);
         Ring middle;
         const double u0 = f / n.u;
@@ -164,9 +181,9 @@ class PatchMesher {
         const std::array<Vec2d, 4> corner{
             Vec2d{u0, v0}, {1 - u0, v0}, {1 - u0, 1 - v0}, {u0, 1 - v0}};
         for (std::size_t k = 0; k < 4; ++k) {
-            const double outside = static_cast<double>(outer[k].size() - 1);
-            const double inside = std::max(1.0, static_cast<double>(inner[k].size() - 1));
-            const int count = static_cast<int>(std::ceil(std::sqrt(outside * inside)));
+            const auto most = std::max(outer[k].size(), inner[k].size()) - 1;
+            const int count =
+                static_cast<int>(std::ceil(ring_density_ * static_cast<double>(most)));
             for (int i = 0; i < count; ++i) {
                 const Place<double> at(i, count);
                 const Vec2d uv = corner[k] * at.rest + corner[(k + 1) % 4] * at.s;
@@ -174,67 +191,66 @@ class PatchMesher {
             }
         }
         close(middle);
-        join(outer, f_outer, middle, f, n, depth + 1);
-        join(middle, f, inner, f_inner, n, depth + 1);
+        return join(outer, f_outer, middle, f, n, depth + 1) &&
+               join(middle, f, inner, f_inner, n, depth + 1);
     }
 
     /// The triangles between two rows of one side; false when one breaks the promise.
     bool strip(const std::vector<Corner>& outer, const std::vector<Corner>& inner, std::size_t side,
-               double f_inner, const GridSize& n, std::vector<std::array<Corner, 3>>& triangles) {
-        const StripBounds bounds(curvature_, side, side % 2 == 0 ? f_inner / n.v : f_inner / n.u);
+               bool at_border, std::vector<std::array<Corner, 3>>& triangles) {
         const auto along = [&](const Corner& c) {
             return side == 0 ? c.u : side == 1 ? c.v : side == 2 ? 1 - c.u : 1 - c.v;
         };
         const auto middle = [&](const std::vector<Corner>& row, std::size_t i) {
             return along(row[i]) + along(row[i + 1]);
         };
-        bool kept = true;
-        std::size_t i = 0;
-        std::size_t j = 0;
-        while (i + 1 < outer.size() || j + 1 < inner.size()) {
-            const bool outer_next = j + 1 == inner.size() ||
-                                    (i + 1 < outer.size() && middle(outer, i) <= middle(inner, j));
-            const std::array<Corner, 3> t = outer_next
-                                                ? std::array{outer[i], outer[i + 1], inner[j]}
-                                                : std::array{outer[i], inner[j + 1], inner[j]};
+        const auto keeps = [&](const std::array<Corner, 3>& t, std::size_t i) {
+            return is_near(t) ||
+                   (at_border &&
+                    ((i + 1 < outer.size() && is_at_chord(t, outer[i], outer[i + 1])) ||
+                     (i > 0 && is_at_chord(t, outer[i - 1], outer[i]))));
+        };
+        for (std::size_t i = 0, j = 0; i + 1 < outer.size() || j + 1 < inner.size();) {
+            // Which row goes on: the one behind, if that makes a triangle that keeps the promise.
+            bool outer_next = j + 1 == inner.size() ||
+                              (i + 1 < outer.size() && middle(outer, i) <= middle(inner, j));
+            const auto next = [&](bool by_outer) {
+                return by_outer ? std::array{outer[i], outer[i + 1], inner[j]}
+                                : std::array{outer[i], inner[j + 1], inner[j]};
+            };
+            if (!keeps(next(outer_next), i)) {
+                const bool other = outer_next ? j + 1 < inner.size() : i + 1 < outer.size();
+                if (!other || !keeps(next(!outer_next), i)) return false;
+                outer_next = !outer_next;
+            }
+            triangles.push_back(next(outer_next));
             (outer_next ? i : j) += 1;
-            kept = kept && bounds.hold(t, along, tolerance_);
-            triangles.push_back(t);
         }
-        return kept;
+        return true;
     }
 
-    /// Second derivatives along a strip beside one side, in four stretches.
-    struct StripBounds {
-        std::array<SecondDerivatives, 4> stretch;
-
-        StripBounds(const Curvature& curvature, std::size_t side, double width) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                double a = static_cast<double>(k) / 4;
-                double b = static_cast<double>(k + 1) / 4;
-                if (side >= 2) std::tie(a, b) = std::pair{1 - b, 1 - a};
-                const double low = side == 1 || side == 2 ? 1 - width : 0;
-                const double high = side == 1 || side == 2 ? 1 : width;
-                stretch[k] = side % 2 == 0 ? curvature.over(a, b, low, high)
-                                           : curvature.over(low, high, a, b);
-            }
+    /// Whether the triangle lies so near a chord of the border, which has its own promise, that
+    /// nothing else is to be proved.
+    bool is_at_chord(const std::array<Corner, 3>& t, const Corner& from, const Corner& to) const {
+        const Vec3d& a = mesh_.vertices[from.vertex];
+        const Vec3d chord = mesh_.vertices[to.vertex] - a;
+        const double squared = length_squared(chord);
+        double farthest = 0;
+        for (const Corner& c : t) {
+            const Vec3d d = mesh_.vertices[c.vertex] - a;
+            const double s = squared > 0 ? std::clamp(dot(d, chord) / squared, 0.0, 1.0) : 0.0;
+            farthest = std::max(farthest, length(d - s * chord));
         }
+        return farthest <= (1 - border_share) * tolerance_;
+    }
 
-        template <class Along>
-        bool hold(const std::array<Corner, 3>& t, const Along& along, double tolerance) const {
-            const auto [u0, u1] = std::minmax({t[0].u, t[1].u, t[2].u});
-            const auto [v0, v1] = std::minmax({t[0].v, t[1].v, t[2].v});
-            const auto [a0, a1] = std::minmax({along(t[0]), along(t[1]), along(t[2])});
-            SecondDerivatives d;
-            for (std::size_t k = 0; k < 4; ++k) {
-                if (a1 < static_cast<double>(k) / 4 || a0 > static_cast<double>(k + 1) / 4)
-                    continue;
-                d = {std::max(d.uu, stretch[k].uu), std::max(d.uv, stretch[k].uv),
-                     std::max(d.vv, stretch[k].vv)};
-            }
-            return chord_error(d, u1 - u0, v1 - v0) <= tolerance;
-        }
-    };
+    /// Whether the triangle is proved to keep the promise.
+    bool is_near(const std::array<Corner, 3>& t) const {
+        return splines::is_near(
+            p_, curvature_,
+            chord_triangle(p_, {Vec2d(t[0].u, t[0].v), {t[1].u, t[1].v}, {t[2].u, t[2].v}}),
+            tolerance_, 3);
+    }
 
     Bicubic<double> p_;
     Curvature curvature_;
@@ -242,16 +258,8 @@ class PatchMesher {
     std::array<int, 4> border_;
     NetPlace place_;
     Mesh& mesh_;
+    double ring_density_ = 1;
 };
-
-/// Steps for a border curve: by the given tolerance, or by its own size.
-int border_steps(const Vec3d& p0, const Vec3d& p1, const Vec3d& p2, const Vec3d& p3,
-                 std::optional<double> tolerance) {
-    if (p0 == p1 && p1 == p2 && p2 == p3) return 1;
-    if (!tolerance)
-        tolerance = hull_diagonal({Patch::Basis::bezier, 1, 4, {p0, p1, p2, p3}, {}}) / 2000;
-    return curve_steps(p0, p1, p2, p3, border_share * *tolerance);
-}
 
 /// A net in units of its size, in which squares of lengths stay in range.
 struct ScaledNet {
@@ -271,11 +279,23 @@ struct ScaledNet {
     static Vec3d scaled(const Vec3d& p, int exponent) {
         return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
     }
-    std::array<int, 4> border(const BezierPatch& p) const {
-        return {border_steps(p[0], p[1], p[2], p[3], tolerance),
-                border_steps(p[3], p[7], p[11], p[15], tolerance),
-                border_steps(p[15], p[14], p[13], p[12], tolerance),
-                border_steps(p[12], p[8], p[4], p[0], tolerance)};
+
+    /// Steps along each side.
+    std::array<int, 4> border(const BezierPatch& p, const BorderTolerances* borders) const {
+        std::array<int, 4> steps{};
+        const auto curves = border_curves(p);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const BorderCurve& c = curves[k];
+            double within = border_tolerance(c, tolerance);
+            if (borders != nullptr) {
+                const auto shared = borders->at({scaled(c[0], exponent), scaled(c[1], exponent),
+                                                 scaled(c[2], exponent), scaled(c[3], exponent)});
+                if (shared) within = std::min(within, std::ldexp(*shared, -exponent));
+            }
+            const bool is_point = c[0] == c[1] && c[1] == c[2] && c[2] == c[3];
+            steps[k] = is_point ? 1 : curve_steps(c[0], c[1], c[2], c[3], border_share * within);
+        }
+        return steps;
     }
 };
 
@@ -288,22 +308,25 @@ bool is_within_limit(const Patch& patch, std::optional<double> tolerance) {
     for (std::size_t i = 0; i < scaled.net.rows; ++i) {
         for (std::size_t j = 0; j < scaled.net.columns; ++j) {
             const BezierPatch p = scaled.net.patch(i, j);
-            for (const int steps : scaled.border(p)) triangles += steps;
-            const Curvature curvature(p);
             // As if the whole patch were as curved as its worst part; looked at closely when in
             // doubt.
-            double cells = chord_error(curvature.over(0, 1, 0, 1), 1, 1) / scaled.inside;
+            double cells = chord_error(Curvature(p).largest_lengths(), 1, 1) / scaled.inside;
             if (!(2 * cells < 1e6)) {
-                const GridSize n = grid_size(curvature, scaled.inside);
+                const Grid n = likely_grid(p, scaled.inside);
                 cells = static_cast<double>(n.u) * n.v;
             }
             triangles += 2 * cells;
+            for (const BorderCurve& c : border_curves(p)) {
+                const double within = border_tolerance(c, scaled.tolerance);
+                if (within > 0) triangles += likely_curve_steps(c[0], c[1], c[2], c[3], within);
+            }
         }
     }
     return triangles <= static_cast<double>(triangle_limit);
 }
 
-std::optional<Mesh> tessellate(const Patch& patch, std::optional<double> tolerance) {
+std::optional<Mesh> tessellate(const Patch& patch, std::optional<double> tolerance,
+                               const BorderTolerances* borders) {
     if (is_single_point(patch.control)) return Mesh{};
     if (!is_within_limit(patch, tolerance)) return std::nullopt;
     const ScaledNet scaled(patch, tolerance);
@@ -312,7 +335,8 @@ std::optional<Mesh> tessellate(const Patch& patch, std::optional<double> toleran
     for (std::size_t i = 0; i < net.rows; ++i) {
         for (std::size_t j = 0; j < net.columns; ++j) {
             const BezierPatch p = net.patch(i, j);
-            PatchMesher(p, scaled.inside, scaled.border(p), {i, j, net.rows, net.columns}, mesh)
+            PatchMesher(p, scaled.inside, scaled.border(p, borders), {i, j, net.rows, net.columns},
+                        mesh)
                 .build();
         }
     }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/shapes.h"
+#include "tracer/splines/borders.h"
 
 namespace lancer::splines {
 
@@ -13,9 +14,9 @@ namespace lancer::splines {
 inline constexpr std::uint64_t triangle_limit = 50'000'000;
 
 /// Triangulates a patch or a net in its own space: every triangle lies within `tolerance` of the
-/// true surface (chord error bounded from second derivatives, see chord_error()). Without a
-/// tolerance it is 1/2000 of the diagonal of the control points' box. Normals are the surface's own
-/// at the vertices; uvs run over the whole net, 0..1.
+/// true surface, which is proved, see Certificate. Without a tolerance it is 1/2000 of the diagonal
+/// of the control points' box. Normals are the surface's own at the vertices; uvs run over the
+/// whole net, 0..1.
 ///
 /// Each Bezier patch gets a uniform grid inside; along its border the vertices are decided by the
 /// border curve alone, its four control points and the tolerance, so that two patches with a common
@@ -23,9 +24,11 @@ inline constexpr std::uint64_t triangle_limit = 50'000'000;
 /// (Without a tolerance, a border curve is measured against its own control points, whatever
 /// surface it belongs to.)
 ///
-/// Nothing when it is not is_within_limit(). An empty mesh when all points are
-/// equal.
-std::optional<Mesh> tessellate(const Patch& patch, std::optional<double> tolerance);
+/// \param borders  where patches of different tolerances meet: theirs; may be null
+///
+/// Nothing when it is not is_within_limit(). An empty mesh when all points are equal.
+std::optional<Mesh> tessellate(const Patch& patch, std::optional<double> tolerance,
+                               const BorderTolerances* borders = nullptr);
 
 /// Whether tessellate() needs at most about triangle_limit triangles. Quick.
 bool is_within_limit(const Patch& patch, std::optional<double> tolerance);
