@@ -1,0 +1,76 @@
+// Rays aimed at edges and vertices of glass meshes: how many bodies stay open because a crossing
+// was missed.
+//     build/release/bin/bench_crossings [MILLIONS OF RAYS]        default: 10
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "tests/extremes/stage.h"
+#include "tracer/render.h"
+
+namespace {
+
+using namespace lancer;
+using namespace lancer::extremes;
+
+constexpr int side = 256;
+
+/// A glass ball of 320 faces, as it is or turned and stretched, seen from anywhere, zoomed up to
+/// 10^12 onto a vertex or an edge. Odd pictures aim their middle ray at the very place.
+Scene random_view(std::mt19937& random) {
+    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    const Vec3d center(0.1, -0.2, 0.3);
+    static const Mesh ball = icosphere(center, 1, 2);
+    const Affine<double> map =
+        random() % 2 == 0
+            ? Affine<double>{}
+            : compose(shift({3, 4, 5}), compose(turn(0, 360 * unit()), stretch(1, 2, 0.5)));
+    Stage s;
+    s.scene.settings.max_depth = 30;
+    s.scene.settings.threads = 0;
+    s.scene.width = s.scene.height = side + static_cast<int>(random() % 2);
+    s.add(ball, s.glass(random() % 4 == 0 ? 1 : 1 + unit()), map);
+    const Mesh::Corners& face = ball.faces[random() % ball.faces.size()];
+    const double share = random() % 2 == 0 ? 0 : unit();
+    const Vec3d at = ball.vertices[face[0]] * (1 - share) + ball.vertices[face[1]] * share;
+    const Vec3d aside(unit() - 0.5, unit() - 0.5, unit() - 0.5);
+    // From outside, or from within.
+    const Vec3d from =
+        random() % 4 == 0 ? center + aside * 0.5 : at + normalize(at - center) * 3.0 + aside * 4.0;
+    const double zoom = power10(-static_cast<int>(random() % 13));
+    s.look(map_point(map, from), map_point(map, at), degrees(2 * std::atan(0.2 * zoom)),
+           normalize(aside + Vec3d(0, 2, 0)));
+    return s.scene;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::uint64_t millions = 10;
+    if (argc > 1) {
+        const auto read = std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), millions);
+        if (read.ec != std::errc{} || *read.ptr != 0) {
+            fmt::print(stderr, "usage: bench_crossings [MILLIONS OF RAYS]\n");
+            return 2;
+        }
+    }
+    std::mt19937 random(1);
+    RayCounts counts;
+    const auto cast = [&] { return counts.primary + counts.transmitted + counts.reflected; };
+    while (cast() < millions * 1000000) {
+        const Scene scene = random_view(random);
+        RayCounts more;
+        compile(scene, scene.settings)->render({0, scene.width, scene.height, {}, false}, {}, more);
+        if (more.media_lost > 0) fmt::print("{} lost after {} rays\n", more.media_lost, cast());
+        const std::uint64_t before = cast();
+        counts += more;
+        if (cast() / 50000000 > before / 50000000)
+            fmt::print(stderr, "{} rays so far, {} lost\n", cast(), counts.media_lost);
+    }
+    fmt::print("{} rays ({} from the camera), {} bodies left open\n", cast(), counts.primary,
+               counts.media_lost);
+    return counts.media_lost == 0 ? 0 : 1;
+}
