@@ -16,10 +16,17 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 
 #include "model/elementary.h"
 
 namespace lancer {
+
+// Found by name for the built-in types, by argument for others.
+using std::frexp;
+using std::ilogb;
+using std::ldexp;
+using std::signbit;
 
 template <class Real>
 using Vec2 = glm::vec<2, Real, glm::defaultp>;
@@ -59,6 +66,14 @@ Vec3<Real> normalize(const Vec3<Real>& v) {
     return v / length(v);
 }
 
+/// Whether a sum of squares lies where neither it nor a term that matters overflows or vanishes.
+template <class Real>
+constexpr bool is_sound_square(Real square) {
+    constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+    constexpr Real least = std::numeric_limits<Real>::min() / (epsilon * epsilon);
+    return square > least && square < 1 / least;
+}
+
 template <class Real>
 constexpr Real max_component(const Vec3<Real>& v) {
     const Real xy = v.x > v.y ? v.x : v.y;
@@ -70,6 +85,13 @@ template <class Real>
 Vec3<Real> absolute(const Vec3<Real>& v) {
     using std::abs;
     return {abs(v.x), abs(v.y), abs(v.z)};
+}
+
+/// v / |v| for a vector of any length but 0.
+template <class Real>
+Vec3<Real> unit(const Vec3<Real>& v) {
+    if (is_sound_square(length_squared(v))) return normalize(v);
+    return normalize(v / max_component(absolute(v)));
 }
 
 template <class Real>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracer/bounds.h"
+#include "tracer/four.h"
 #include "tracer/ray.h"
 
 namespace lancer {
@@ -42,13 +43,52 @@ Bvh<Real> build_bvh(const std::vector<Bounds<Real>>& boxes, std::uint32_t leaf_s
 inline constexpr int bvh_sah_levels = 64;
 inline constexpr int bvh_stack_size = 3 * (bvh_sah_levels + 32) + 4;
 
+/// A ray as the tests of one pair of a box's planes see it.
+template <class Real>
+struct SlabRay {
+    Real enter;  ///< the origin for the plane that the ray goes in by
+    Real leave;  ///< and for the one that it goes out by
+    Real inv_dir;
+    bool negative;  ///< the direction's sign
+};
+
+/// The start is hi + lo, the tests take one number. Where lo matters, 2 lo is added towards what
+/// keeps the box: nearer to the planes ahead, farther from those behind. Where that sum rounds to
+/// hi, |lo| <= u |hi|, and it may be left out: next to the plane the box is wider than that by
+/// `widened`, and far from it lo changes the distance by 2 u of itself.
+template <class Real>
+SlabRay<Real> slab_ray(const Ray<Real>& ray, int axis) {
+    using std::abs;
+    const Real inv = ray.inv_dir[axis];
+    const bool negative = signbit(inv);
+    const Real low = 2 * abs(ray.origin_lo[axis]);
+    const Real ahead = negative ? -low : low;
+    return {ray.origin[axis] + ahead, ray.origin[axis] - ahead, inv, negative};
+}
+
+/// Cuts the parameters between `near` and `far` down to those between the planes of each of the
+/// four boxes that are perpendicular to `axis`. NaN (0 times infinity, a ray in a face of the box)
+/// loses every comparison and keeps the box.
+template <class Real>
+void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis, const SlabRay<Real>& ray,
+                  Four<Real>& near, Four<Real>& far) {
+    const Four<Real> enter(ray.negative ? node.max[axis] : node.min[axis]);
+    const Four<Real> leave(ray.negative ? node.min[axis] : node.max[axis]);
+    const Four<Real> inv(ray.inv_dir);
+    near = larger((enter - Four<Real>(ray.enter)) * inv, near);
+    far = smaller((leave - Four<Real>(ray.leave)) * inv, far);
+}
+
+/// Far distances are multiplied by it, after the minimum, which it commutes with: Ize, "Robust BVH
+/// Ray Traversal", JCGT 2(2) 2013, with two more roundings for the low part of the origin.
+template <class Real>
+Four<Real> widened_far(const Four<Real>& far) {
+    return far * Four<Real>(1 + 2 * gamma<Real>(5));
+}
+
 /// Visits the leaves that the ray may meet at a parameter in [t_min, limit()], near ones first.
 /// `leaf(first, count)` gets a range of `order`; it returns true to end the traversal. `limit()`
 /// may shrink.
-///
-/// The far distance is widened by 1 + 2 gamma(4): Ize, "Robust BVH Ray Traversal", JCGT 2(2) 2013,
-/// with one more rounding for the low part of the origin. NaN (0 times infinity, a ray in a face of
-/// the box) loses every comparison and keeps the box.
 template <class Real, class Limit, class Leaf>
 void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& limit, Leaf&& leaf) {
     if (bvh.nodes.empty()) return;
@@ -60,9 +100,9 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
     std::array<Waiting, bvh_stack_size> stack;
     int top = 0;
     stack[0] = {0, 0, t_min};
-    const bool negative[3] = {std::signbit(ray.inv_dir.x), std::signbit(ray.inv_dir.y),
-                              std::signbit(ray.inv_dir.z)};
-    constexpr Real widen = 1 + 2 * gamma<Real>(4);
+    const SlabRay<Real> x = slab_ray(ray, 0);
+    const SlabRay<Real> y = slab_ray(ray, 1);
+    const SlabRay<Real> z = slab_ray(ray, 2);
     while (top >= 0) {
         const Waiting item = stack[static_cast<std::size_t>(top--)];
         if (item.near > limit()) continue;
@@ -71,24 +111,13 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
             continue;
         }
         const BvhNode<Real>& node = bvh.nodes[item.child];
-        std::array<Real, 4> near;
-        std::array<Real, 4> far;
-        near.fill(t_min);
-        far.fill(limit());
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::array<Real, 4>& enter = negative[axis] ? node.max[axis] : node.min[axis];
-            const std::array<Real, 4>& leave = negative[axis] ? node.min[axis] : node.max[axis];
-            const int i = static_cast<int>(axis);
-            const Real origin = ray.origin[i];
-            const Real low = ray.origin_lo[i];
-            const Real inv = ray.inv_dir[i];
-            for (std::size_t c = 0; c < 4; ++c) {
-                const Real t0 = ((enter[c] - origin) - low) * inv;
-                const Real t1 = ((leave[c] - origin) - low) * inv * widen;
-                near[c] = t0 > near[c] ? t0 : near[c];
-                far[c] = t1 < far[c] ? t1 : far[c];
-            }
-        }
+        Four<Real> nearest(t_min);
+        Four<Real> farthest(limit());
+        cut_to_slabs(node, 0, x, nearest, farthest);
+        cut_to_slabs(node, 1, y, nearest, farthest);
+        cut_to_slabs(node, 2, z, nearest, farthest);
+        const std::array<Real, 4> near = nearest.numbers();
+        const std::array<Real, 4> far = widened_far(farthest).numbers();
         // Insertion sort, farthest first, straight into the stack.
         const int base = top;
         for (std::size_t c = 0; c < 4; ++c) {

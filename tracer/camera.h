@@ -37,7 +37,6 @@ Vec3<Real> world_place(const Vec3d& p, int scale_exponent) {
 /// \param scale_exponent  World::scale_exponent
 template <class Real>
 Lens<Real> make_lens(const Camera& camera, int width, int height, int scale_exponent) {
-    using std::ldexp;
     Lens<Real> lens;
     lens.position = world_place<Real>(camera.position, scale_exponent);
     const Vec3<Real> view = world_place<Real>(camera.look_at, scale_exponent) - lens.position;

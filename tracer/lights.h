@@ -20,11 +20,17 @@ Illumination<Real> illuminate(const LightSource<Real>& light, const Vec3<Real>& 
     if (light.kind == Kind::directional)
         return {light.direction, std::numeric_limits<Real>::infinity(), light.color};
     const Vec3<Real> way = -difference(point, point_lo, light.position);
-    const Real longest = max_component(absolute(way));
-    if (!(longest > 0)) return {Vec3<Real>(0), 0, Vec3<Real>(0)};  // the light stands on the point
-    const Vec3<Real> scaled = way / longest;  // its square neither overflows nor vanishes
-    const Real scaled_length = length(scaled);
-    Illumination<Real> at{scaled / scaled_length, longest * scaled_length, light.color};
+    Illumination<Real> at{Vec3<Real>(0), length(way), light.color};
+    if (is_sound_square(length_squared(way))) {
+        at.direction = way / at.distance;
+    } else {
+        const Real longest = max_component(absolute(way));
+        if (!(longest > 0)) return {Vec3<Real>(0), 0, Vec3<Real>(0)};  // the light is on the point
+        const Vec3<Real> scaled = way / longest;
+        const Real scaled_length = length(scaled);
+        at.direction = scaled / scaled_length;
+        at.distance = longest * scaled_length;
+    }
     Real factor = 1;
     if (light.fades)
         factor = 2 / (1 + elementary::pow(at.distance / light.fade_distance, light.fade_power));

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "tracer/bvh_build.h"
+#include "tracer/scale.h"
 #include "tracer/shapes/mesh.h"
 
 namespace lancer {
@@ -12,14 +14,69 @@ struct MeshNeeds {
     bool body = false;     ///< rays go through its inside: it matters which way its faces look
 };
 
-/// \param exponent  vertices are multiplied by 2^exponent
-template <class Real>
-std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mesh>& source,
-                                                 int exponent, const MeshNeeds& needs, int threads);
-
 /// Which faces of a closed mesh (model/bodies.h) look inside: one byte per face, 1 for those that
 /// do; empty when all look outside. Faces that turn against their neighbours are turned with them,
 /// and the whole so that its volume is positive: scripts and scanners care little about winding.
 std::vector<std::uint8_t> inward_faces(const Mesh& mesh);
+
+/// Averages of the adjoining faces' normals, weighted by area. A vertex without one (all its faces
+/// cancel) gets 0 and its faces then show their geometric normal.
+template <class Real>
+std::vector<Vec3<Real>> averaged_normals(const TriangleMesh<Real>& mesh) {
+    std::vector<Vec3<Real>> normals(mesh.vertices.size(), Vec3<Real>(0));
+    for (const Mesh::Corners& face : mesh.source->faces) {
+        const Vec3<Real>& a = mesh.vertices[face[0]];
+        const Vec3<Real> twice_area = cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
+        for (const std::uint32_t corner : face) normals[corner] += twice_area;
+    }
+    for (Vec3<Real>& n : normals) {
+        const Real size = max_component(absolute(n));
+        if (size > 0) n = normalize(n / size);
+    }
+    return normals;
+}
+
+template <class Real>
+std::vector<Vec3<Real>> given_normals(const Mesh& mesh) {
+    std::vector<Vec3<Real>> normals;
+    normals.reserve(mesh.normals.size());
+    for (const Vec3d& given : mesh.normals) {
+        const double size = max_component(absolute(given));
+        normals.push_back(size > 0 ? normalize(convert<Real>(given / size)) : Vec3<Real>(0));
+    }
+    return normals;
+}
+
+/// \param exponent  vertices are multiplied by 2^exponent
+template <class Real>
+std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mesh>& source,
+                                                 int exponent, const MeshNeeds& needs,
+                                                 int threads) {
+    auto mesh = std::make_unique<TriangleMesh<Real>>();
+    mesh->source = source;
+    const Mesh& from = *mesh->source;
+    mesh->vertices.reserve(from.vertices.size());
+    for (const Vec3d& v : from.vertices)
+        mesh->vertices.push_back(convert<Real>(scaled(v, exponent)));
+    if (needs.normals) {
+        if (from.normals.empty()) {
+            mesh->normals = averaged_normals(*mesh);
+            mesh->normal_faces = &from.faces;
+        } else {
+            mesh->normals = given_normals<Real>(from);
+            mesh->normal_faces = from.normal_faces.empty() ? &from.faces : &from.normal_faces;
+        }
+    }
+    if (needs.body) mesh->inward = inward_faces(from);
+    std::vector<Bounds<Real>> boxes;
+    boxes.reserve(from.faces.size());
+    for (const Mesh::Corners& face : from.faces) {
+        Bounds<Real> box;
+        for (const std::uint32_t corner : face) box.extend(mesh->vertices[corner]);
+        boxes.push_back(box);
+    }
+    mesh->bvh = build_bvh(boxes, 4, threads);
+    return mesh;
+}
 
 }  // namespace lancer

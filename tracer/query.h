@@ -68,8 +68,8 @@ class Acceptance {
         return k;
     }
 
-    /// Whether the crossing counts; moves it up to the start where rounding put it before.
-    bool operator()(std::uint32_t primitive, Crossing<Real>& c) const {
+    /// Whether the crossing counts.
+    bool operator()(std::uint32_t primitive, const Crossing<Real>& c) const {
         const Primitive<Real>& p = world_.primitives[primitive];
         const Real ahead = c.t - start_.t;
         if (ahead < -c.error) return false;
@@ -91,9 +91,11 @@ class Acceptance {
                 p.body && c.entering && !same_primitive && c.chord > 4 * c.error;
             if (!enters_wall) return false;
         }
-        if (c.t < start_.t) c.t = start_.t;
         return true;
     }
+
+    /// Where a crossing that counts is met: at the start when rounding put it before.
+    Real met_at(const Crossing<Real>& c) const { return c.t < start_.t ? start_.t : c.t; }
 
   private:
     static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
@@ -125,11 +127,11 @@ class Acceptance {
     const Bodies& bodies_;
 };
 
-/// Reports all crossings of the world ray with one primitive: report(Crossing, u, v), which returns
+/// Reports the crossings of the world ray with one primitive: report(Crossing, u, v), which returns
 /// true to stop.
-template <class Real, class Limit, class Report>
+template <class Real, class Last, class Report>
 void primitive_crossings(const World<Real>& world, std::uint32_t index, const Ray<Real>& world_ray,
-                         const Known& known, Real t_min, Limit&& limit, Report&& report) {
+                         const Known& known, const Stretch<Real, Last>& stretch, Report&& report) {
     const Primitive<Real>& p = world.primitives[index];
     const auto in_space = [&](const Ray<Real>& ray) {
         std::visit(
@@ -138,13 +140,13 @@ void primitive_crossings(const World<Real>& world, std::uint32_t index, const Ra
                 if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
                               std::is_same_v<S, PatchSolid<Real>> ||
                               std::is_same_v<S, BicubicSolid<Real>>) {
-                    crossings(solid, ray, t_min, limit, report);
+                    crossings(solid, ray, known, stretch, report);
                 } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
                     TriangleHit<Real> hit;
-                    if (intersect(solid, ray, hit))
+                    if (intersect(solid, ray, shear_of(ray), stretch, hit))
                         report(Crossing<Real>{hit.t, hit.error, 0, hit.entering}, hit.u, hit.v);
                 } else {
-                    crossings(solid, ray, known,
+                    crossings(solid, ray, known, stretch,
                               [&](const Crossing<Real>& c) { report(c, Real(0), Real(0)); });
                 }
             },
@@ -157,20 +159,20 @@ void primitive_crossings(const World<Real>& world, std::uint32_t index, const Ra
     }
 }
 
-/// Visits every primitive that the ray may meet between t_min and limit(): visit(index) returns
-/// true to stop.
-template <class Real, class Limit, class Visit>
-void candidates(const World<Real>& world, const Ray<Real>& ray, Real t_min, Limit&& limit,
+/// Visits every primitive that the ray may meet on the stretch: visit(index) returns true to stop.
+template <class Real, class Last, class Visit>
+void candidates(const World<Real>& world, const Ray<Real>& ray, const Stretch<Real, Last>& stretch,
                 Visit&& visit) {
     for (std::uint32_t i = world.bounded; i < world.primitives.size(); ++i) {
         if (visit(i)) return;
     }
-    traverse(world.bvh, ray, t_min, limit, [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            if (visit(i)) return true;
-        }
-        return false;
-    });
+    traverse(world.bvh, ray, stretch.first, stretch.last,
+             [&](std::uint32_t first, std::uint32_t count) {
+                 for (std::uint32_t i = first; i < first + count; ++i) {
+                     if (visit(i)) return true;
+                 }
+                 return false;
+             });
 }
 
 /// Collects the hits nearest to the start that are one contact: those whose distances differ by
@@ -184,38 +186,42 @@ class NearestContact {
 
     void add(const Hit<Real>& hit) {
         if (!(hit.t <= limit_)) return;
-        if (hits_.empty() || before(hit, nearest_)) {
-            nearest_ = hit;
-            const Real new_limit = hit.t + 8 * hit.error;
-            if (!hits_.empty() && lowest_other_ > new_limit) hits_.clear();
-            limit_ = new_limit;
+        if (nearest_.t < infinity && !before(hit, nearest_)) {
+            others_.push_back(hit);
+            return;
         }
-        if (hits_.empty() || hit.t < lowest_other_) lowest_other_ = hit.t;
-        hits_.push_back(hit);
+        const Real new_limit = hit.t + 8 * hit.error;
+        // The others lie beyond the nearest one, so they are out of reach when it is.
+        if (nearest_.t > new_limit)
+            others_.clear();
+        else
+            others_.push_back(nearest_);
+        nearest_ = hit;
+        limit_ = new_limit;
     }
 
     /// The contact, nearest hit first for the caller to reorder; empty when nothing was met.
-    Contact<Real> take() {
-        const auto apart = [&](const Hit<Real>& h) {
+    Contact<Real> take() const {
+        Contact<Real> contact;
+        if (!(nearest_.t < infinity)) return contact;
+        contact.push_back(nearest_);
+        for (const Hit<Real>& h : others_) {
             const Real own = std::min(h.error, 7 * nearest_.error);
-            return h.t - nearest_.t > nearest_.error + own;
-        };
-        hits_.erase(std::remove_if(hits_.begin(), hits_.end(), apart), hits_.end());
-        for (Hit<Real>& h : hits_) {
-            if (h.surface == nearest_.surface) std::swap(h, hits_.front());
+            if (h.t - nearest_.t <= nearest_.error + own) contact.push_back(h);
         }
-        return std::move(hits_);
+        return contact;
     }
 
   private:
+    static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
     static bool before(const Hit<Real>& a, const Hit<Real>& b) {
         if (a.t != b.t) return a.t < b.t;
         return a.surface.primitive < b.surface.primitive;
     }
-    Contact<Real> hits_;
-    Hit<Real> nearest_{};
-    Real lowest_other_ = 0;
-    Real limit_ = std::numeric_limits<Real>::infinity();
+    Hit<Real> nearest_{infinity, 0, {}};
+    Contact<Real> others_;  ///< not nearer than `nearest_`, and perhaps too far by now
+    Real limit_ = infinity;
 };
 
 /// Sorts a contact as it is crossed: entries before exits, each in the order of declaration.
@@ -243,15 +249,17 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     NearestContact<Real> found;
     const auto limit = [&] { return found.limit(); };
     // A body that the ray is in may be left a rounding before the start.
-    const Real t_min = start.t - std::abs(start.t) * gamma<Real>(32);
-    candidates(world, ray, t_min, limit, [&](std::uint32_t index) {
+    const Real first = start.t - std::abs(start.t) * gamma<Real>(32);
+    const Stretch<Real, decltype(limit)> stretch{first, limit};
+    candidates(world, ray, stretch, [&](std::uint32_t index) {
         if (shadows == Shadows::cast && !world.primitives[index].casts_shadow) return false;
-        primitive_crossings(world, index, ray, accept.known(index), t_min, limit,
-                            [&](Crossing<Real> c, Real u, Real v) {
-                                if (accept(index, c))
-                                    found.add({c.t, c.error, {index, c.face, c.entering}, u, v});
-                                return false;
-                            });
+        primitive_crossings(
+            world, index, ray, accept.known(index), stretch,
+            [&](const Crossing<Real>& c, Real u, Real v) {
+                if (accept(index, c))
+                    found.add({accept.met_at(c), c.error, {index, c.face, c.entering}, u, v});
+                return false;
+            });
         return false;
     });
     return found.take();

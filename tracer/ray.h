@@ -35,23 +35,24 @@ struct Ray {
     Real
         origin_error;  ///< bound on the start's distance from the surface it was computed to lie on
     Vec3<Real> inv_dir;  ///< 1 / dir, component by component
-    Shear<Real> shear;
     bool whole = false;  ///< `origin_lo` is 0
 };
 
 template <class Real>
 Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const Vec3<Real>& dir,
                    Real origin_error) {
-    using std::abs;
-    Ray<Real> ray{origin,
-                  origin_lo,
-                  dir,
-                  dot(dir, dir),
-                  origin_error,
-                  Vec3<Real>(1 / dir.x, 1 / dir.y, 1 / dir.z),
-                  {}};
+    Ray<Real> ray{origin,        origin_lo,    dir,
+                  dot(dir, dir), origin_error, Vec3<Real>(1 / dir.x, 1 / dir.y, 1 / dir.z)};
     ray.whole = origin_lo == Vec3<Real>(0);
-    Shear<Real>& s = ray.shear;
+    return ray;
+}
+
+/// The same for all triangles that the ray meets, so that neighbours agree.
+template <class Real>
+Shear<Real> shear_of(const Ray<Real>& ray) {
+    using std::abs;
+    const Vec3<Real>& dir = ray.dir;
+    Shear<Real> s;
     const Real ax = abs(dir.x);
     const Real ay = abs(dir.y);
     const Real az = abs(dir.z);
@@ -59,10 +60,10 @@ Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const 
     s.x = (s.z + 1) % 3;
     s.y = (s.z + 2) % 3;
     if (dir[s.z] < 0) std::swap(s.x, s.y);  // keeps the winding
-    s.sx = dir[s.x] / dir[s.z];
-    s.sy = dir[s.y] / dir[s.z];
-    s.sz = 1 / dir[s.z];
-    return ray;
+    s.sz = ray.inv_dir[s.z];
+    s.sx = dir[s.x] * s.sz;
+    s.sy = dir[s.y] * s.sz;
+    return s;
 }
 
 /// The ray's start relative to `point`.
@@ -72,13 +73,12 @@ Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
     return difference(ray.origin, ray.origin_lo, point);
 }
 
-/// The same with what its rounding left over.
+/// What the rounding of start_from() took from its component `axis`.
 template <class Real>
-VectorSum<Real> start_sum(const Ray<Real>& ray, const Vec3<Real>& point) {
-    const VectorSum<Real> d = two_sum(ray.origin, -point);
-    const Vec3<Real> rest = d.lo + ray.origin_lo;
-    const Vec3<Real> sum = d.hi + rest;
-    return {sum, rest - (sum - d.hi)};
+Real lost_from_start(const Ray<Real>& ray, const Vec3<Real>& point, int axis) {
+    const Sum<Real> d = two_sum(ray.origin[axis], -point[axis]);
+    const Real rest = d.lo + ray.origin_lo[axis];
+    return rest - ((d.hi + rest) - d.hi);
 }
 
 /// One of the surfaces of a contact: which face of which primitive, crossed in which sense.
@@ -108,6 +108,28 @@ struct Crossing {
     /// How far the ray then stays inside, where the solid is convex and its way out is known.
     Real chord = std::numeric_limits<Real>::infinity();
 };
+
+/// The stretch of a line that a query asks about. What lies outside of it, before it by more than
+/// its error, need not be reported, and needs no bound either: bounds cost as much as crossings.
+///
+/// \tparam Last  called without arguments: the parameter beyond which nothing matters. It may
+///               shrink as crossings are reported
+template <class Real, class Last>
+struct Stretch {
+    Real first;
+    const Last& last;
+
+    bool ends_before(Real t) const { return t > last(); }
+    bool holds(const Crossing<Real>& c) const { return c.t + c.error >= first; }
+};
+
+/// The whole line.
+template <class Real>
+inline constexpr auto endless = [] { return std::numeric_limits<Real>::infinity(); };
+template <class Real>
+Stretch<Real, decltype(endless<Real>)> whole_line() {
+    return {-std::numeric_limits<Real>::infinity(), endless<Real>};
+}
 
 /// Where a surface was hit, in the space of the ray that was given to the shape.
 template <class Real>

@@ -127,7 +127,7 @@ class RendererOf final : public Renderer {
         return lens;
     }
     double unscaled(Real distance) const {
-        return static_cast<double>(std::ldexp(distance, -world_->scale_exponent));
+        return static_cast<double>(ldexp(distance, -world_->scale_exponent));
     }
 
     /// One ray through the point (x, y), in pixels of the whole picture.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "model/math.h"
 
@@ -14,6 +15,12 @@ namespace lancer {
 /// 1 + u.
 template <class Real>
 inline constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
+
+/// For what is worked out once, before the first ray: no narrower than `long double`.
+template <class Real>
+using Wide = std::conditional_t<(std::numeric_limits<Real>::digits >
+                                 std::numeric_limits<long double>::digits),
+                                Real, long double>;
 
 /// n u / (1 - n u): bounds the relative error of n rounded operations in a row.
 /// Higham, Accuracy and Stability of Numerical Algorithms (2002), section 3.1.
@@ -57,13 +64,14 @@ Real signed_difference_of_products(Real a, Real b, Real c, Real d) {
     return two_product(a, b).lo - two_product(c, d).lo;
 }
 
-/// Bounds |sqrt(x) - sqrt(y)| for |x - y| <= w, x >= 0, y >= 0: w / (sqrt(x) + sqrt(y)), where y >=
-/// x
-/// - w. Far from 0 (x > 4 w) the sum is at least 1.86 sqrt(x).
+/// Bounds |sqrt(x) - sqrt(y)| for |x - y| <= w, x >= 0, y >= 0: w / (sqrt(x) + sqrt(y)), where
+/// y >= x - w. Far from 0 (x > 4 w) the sum is at least 1.86 sqrt(x).
+///
+/// \param root  sqrt(x)
 template <class Real>
-Real chord_error(Real w, Real x) {
+Real chord_error(Real w, Real x, Real root) {
     using std::sqrt;
-    return x > 4 * w ? Real(0.54) * w / sqrt(x) : sqrt(w);
+    return x > 4 * w ? Real(0.54) * w / root : sqrt(w);
 }
 
 /// A vector as an unevaluated sum: places keep the digits that one rounding would take from them.

@@ -23,7 +23,7 @@ int scale_exponent(const Scene& scene);
 int exponent_for(double extent);
 
 inline Vec3d scaled(const Vec3d& p, int exponent) {
-    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    return {ldexp(p.x, exponent), ldexp(p.y, exponent), ldexp(p.z, exponent)};
 }
 
 }  // namespace lancer

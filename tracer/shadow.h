@@ -19,11 +19,12 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
     constexpr bool light_may_pass = !std::is_same_v<Bodies, NoMedia>;
     Way way = Way::clear;
     const auto limit = [&] { return distance; };
-    candidates(world, ray, Real(0), limit, [&](std::uint32_t index) {
+    const Stretch<Real, decltype(limit)> stretch{Real(0), limit};
+    candidates(world, ray, stretch, [&](std::uint32_t index) {
         const Primitive<Real>& p = world.primitives[index];
         if (!p.casts_shadow) return false;
-        primitive_crossings(world, index, ray, accept.known(index), Real(0), limit,
-                            [&](Crossing<Real> c, Real, Real) {
+        primitive_crossings(world, index, ray, accept.known(index), stretch,
+                            [&](const Crossing<Real>& c, Real, Real) {
                                 if (light_may_pass && p.transmissive) {
                                     if (c.t >= -c.error && c.t < distance) way = Way::filtered;
                                     return false;

@@ -86,9 +86,10 @@ class Solids {
 
     /// Whether the linear part is a power of two times the identity, which rounds nothing.
     static bool is_scale_by_two(const Affine<Real>& map) {
+        using std::abs;
         int exponent = 0;
         const Real factor = map.rows[0].x;
-        if (std::abs(std::frexp(factor, &exponent)) != Real(0.5)) return false;
+        if (abs(frexp(factor, &exponent)) != Real(0.5)) return false;
         return map.rows[0] == Vec3<Real>(factor, 0, 0) && map.rows[1] == Vec3<Real>(0, factor, 0) &&
                map.rows[2] == Vec3<Real>(0, 0, factor);
     }
@@ -124,8 +125,8 @@ class Solids {
         };
         Frame<Real> frame;
         frame.to_world = map;
-        Affine<long double> linear = convert<long double>(map);
-        linear.shift = Vec3<long double>(0);
+        Affine<Wide<Real>> linear = convert<Wide<Real>>(map);
+        linear.shift = Vec3<Wide<Real>>(0);
         frame.linear_inverse = convert<Real>(inverse(linear));
         frame.linear_inverse.shift = Vec3<Real>(0);
         frame.norm = row_sum(map);
@@ -135,8 +136,9 @@ class Solids {
         if (!is_scale_by_two(unshifted))
             frame.placed = gamma<Real>(4) * max_component(absolute(map.shift));
         frame.inverse_norm = row_sum(frame.linear_inverse);
+        using std::sqrt;
         // Squares of mapped directions must stay in the number type's range.
-        const Real least = 16 * std::sqrt(std::numeric_limits<Real>::min());
+        const Real least = 16 * sqrt(std::numeric_limits<Real>::min());
         if (!(frame.norm > least && frame.inverse_norm * least < 1))
             throw SceneError(object_->place, out_of_range);
         p.frame = static_cast<std::uint32_t>(world_.frames.size());
@@ -164,7 +166,7 @@ class Solids {
     }
 
     static Vec3<Real> point(const Vec3d& p, int own) { return convert<Real>(scaled(p, own)); }
-    static Real number(double x, int own) { return static_cast<Real>(std::ldexp(x, own)); }
+    static Real number(double x, int own) { return static_cast<Real>(ldexp(x, own)); }
 
     Solid<Real> solid(const Sphere& s, int own, const Affine<Real>& map, const TriangleMesh<Real>*,
                       Primitive<Real>& p) {
@@ -258,9 +260,9 @@ class Solids {
         // Scaled by a power of two or only moved: not normalized a second time.
         if (is_scale_by_two(map))
             return HalfSpace<Real>{n, map_point(map, on), moved_by(map, {on})};
-        Affine<long double> linear = convert<long double>(map);
-        linear.shift = Vec3<long double>(0);
-        const Vec3<long double> turned = map_transposed(inverse(linear), convert<long double>(n));
+        Affine<Wide<Real>> linear = convert<Wide<Real>>(map);
+        linear.shift = Vec3<Wide<Real>>(0);
+        const Vec3<Wide<Real>> turned = map_transposed(inverse(linear), convert<Wide<Real>>(n));
         return HalfSpace<Real>{convert<Real>(normalize(turned / max_component(absolute(turned)))),
                                map_point(map, on), moved_by(map, {on})};
     }
@@ -274,14 +276,14 @@ class Solids {
         };
         if (settings_.smooth && t.attributes != none &&
             scene_.triangle_attributes[t.attributes].normals) {
-            Affine<long double> linear = convert<long double>(map);
-            linear.shift = Vec3<long double>(0);
-            const Affine<long double> back = inverse(linear);
+            Affine<Wide<Real>> linear = convert<Wide<Real>>(map);
+            linear.shift = Vec3<Wide<Real>>(0);
+            const Affine<Wide<Real>> back = inverse(linear);
             std::array<Vec3<Real>, 3> normals;
             for (std::size_t i = 0; i < 3; ++i) {
                 const Vec3d& given = (*scene_.triangle_attributes[t.attributes].normals)[i];
-                const Vec3<long double> n = map_transposed(
-                    back, convert<long double>(given / max_component(absolute(given))));
+                const Vec3<Wide<Real>> n = map_transposed(
+                    back, convert<Wide<Real>>(given / max_component(absolute(given))));
                 normals[i] = convert<Real>(normalize(n / max_component(absolute(n))));
             }
             p.corner_normals = static_cast<std::uint32_t>(world_.corner_normals.size());

@@ -51,11 +51,6 @@ SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& 
         primitive.solid);
 }
 
-template <class Real>
-Vec3<Real> unit(const Vec3<Real>& v) {
-    return normalize(v / max_component(absolute(v)));
-}
-
 /// Only what decides about passing light: for shadow rays, which need no normals.
 template <class Real>
 void set_color(const World<Real>& world, const SurfacePoint<Real>& local, Surface<Real>& s) {
@@ -91,7 +86,7 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const
         s.position_lo = place.lo + local.rest;
         s.error = local.error;
         s.geometric = unit(local.normal);
-        s.normal = unit(local.shading);
+        s.normal = local.shading == local.normal ? s.geometric : unit(local.shading);
     } else {
         const Frame<Real>& frame = world.frames[primitive.frame];
         local = local_point(world, primitive, to_local(ray, frame), hit);
@@ -105,7 +100,9 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const
         const Real size = max_component(absolute(anchor)) + max_component(absolute(offset));
         s.error = frame.norm * local.error + gamma<Real>(4) * size;
         s.geometric = unit(map_transposed(frame.linear_inverse, local.normal));
-        s.normal = unit(map_transposed(frame.linear_inverse, local.shading));
+        s.normal = local.shading == local.normal
+                       ? s.geometric
+                       : unit(map_transposed(frame.linear_inverse, local.shading));
     }
     if (dot(s.normal, ray.dir) > 0) s.normal = -s.normal;
     set_color(world, local, s);

@@ -68,11 +68,10 @@ struct BicubicSolid {
 /// are the crossings; the coordinate along the ray then gives t.
 template <class Real, class Report>
 void piece_crossings(const PieceTree<Real>& tree, std::uint32_t index, const Ray<Real>& ray,
-                     Report&& report) {
+                     const Shear<Real>& s, Report&& report) {
     using std::abs;
     const splines::Piece<Real>& piece = tree.pieces[index];
     const auto& home = tree.homes[tree.home[index]];
-    const Shear<Real>& s = ray.shear;
     const Vec3<Real> start = start_from(ray, home.anchor);
     const auto axis = [&](int k) -> const std::array<Real, 16>& {
         return piece.c[static_cast<std::size_t>(k)];
@@ -105,19 +104,22 @@ void piece_crossings(const PieceTree<Real>& tree, std::uint32_t index, const Ray
     splines::PlaneZeros<Real, decltype(found)>(noise, found).search(net);
 }
 
-template <class Real, class Limit, class Report>
-void crossings(const BicubicSolid<Real>& solid, const Ray<Real>& ray, Real t_min, Limit&& limit,
-               Report&& report) {
+template <class Real, class Last, class Report>
+void crossings(const BicubicSolid<Real>& solid, const Ray<Real>& ray, const Known& /*known*/,
+               const Stretch<Real, Last>& stretch, Report&& report) {
     const PieceTree<Real>& tree = solid.surface->tree();
-    traverse(tree.bvh, ray, t_min, limit, [&](std::uint32_t first, std::uint32_t count) {
-        bool stop = false;
-        for (std::uint32_t i = first; i < first + count && !stop; ++i) {
-            piece_crossings(
-                tree, tree.bvh.order[i], ray,
-                [&](const Crossing<Real>& c, Real u, Real v) { stop = stop || report(c, u, v); });
-        }
-        return stop;
-    });
+    const Shear<Real> shear = shear_of(ray);
+    traverse(tree.bvh, ray, stretch.first, stretch.last,
+             [&](std::uint32_t first, std::uint32_t count) {
+                 bool stop = false;
+                 for (std::uint32_t i = first; i < first + count && !stop; ++i) {
+                     piece_crossings(tree, tree.bvh.order[i], ray, shear,
+                                     [&](const Crossing<Real>& c, Real u, Real v) {
+                                         stop = stop || report(c, u, v);
+                                     });
+                 }
+                 return stop;
+             });
 }
 
 /// The point at (u, v) of a piece.

@@ -17,49 +17,77 @@ inline constexpr std::uint32_t box_face(int axis, bool at_max) {
     return static_cast<std::uint32_t>(2 * axis + (at_max ? 1 : 0));
 }
 
+/// The line inside a box: where it goes in and out, and by which face.
+template <class Real>
+struct BoxSpan {
+    static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    Real in = -infinity;
+    Real out = infinity;
+    int in_axis = 0;
+    int out_axis = 0;
+    std::uint32_t in_face = 0;
+    std::uint32_t out_face = 0;
+    bool started_in = false;  ///< the line starts on the face that it goes in by
+};
+
+/// Cuts the span down to what lies between the two faces across an axis. Returns false when nothing
+/// is left and the line is not known to be inside.
+///
+/// \param to_min, to_max  from the start to the faces, along the axis
+template <class Real>
+bool cut(BoxSpan<Real>& span, int axis, Real dir, Real inv_dir, Real to_min, Real to_max,
+         const Known& known) {
+    if (dir == 0) return known.inside || !(to_min > 0 || to_max < 0);
+    const bool forward = dir > 0;
+    const std::uint32_t near_face = box_face(axis, !forward);
+    const std::uint32_t far_face = box_face(axis, forward);
+    Real near = (forward ? to_min : to_max) * inv_dir;
+    Real far = (forward ? to_max : to_min) * inv_dir;
+    if (known.start_face == near_face) {
+        near = 0;
+        span.started_in = true;
+    }
+    if (known.start_face == far_face) far = 0;
+    if (near > span.in) {
+        span.in = near;
+        span.in_axis = axis;
+        span.in_face = near_face;
+    }
+    if (far < span.out) {
+        span.out = far;
+        span.out_axis = axis;
+        span.out_face = far_face;
+    }
+    return true;
+}
+
 /// The line inside the box is the intersection of three intervals, one between each pair of faces
 /// (Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986). Which face is near is told by the
 /// sign of the direction, never by comparing numbers that may be equal: so a box of no thickness
 /// has two faces with the right normals.
-template <class Real, class Report>
+template <class Real, class Last, class Report>
 void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Known& known,
-               Report&& report) {
+               const Stretch<Real, Last>& stretch, Report&& report) {
     using std::abs;
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
-    Crossing<Real> in{-infinity, 0, 0, true};
-    Crossing<Real> out{infinity, 0, 0, false};
-    bool started_in = false;
-    const Vec3<Real> from_min = start_from(ray, box.min);
-    const Vec3<Real> from_max = start_from(ray, box.max);
-    for (int axis = 0; axis < 3; ++axis) {
-        const Real d = ray.dir[axis];
-        const Real to_min = -from_min[axis];
-        const Real to_max = -from_max[axis];
-        if (d == 0) {
-            if ((to_min > 0 || to_max < 0) && !known.inside) return;
-            continue;
-        }
-        const bool forward = d > 0;
-        const std::uint32_t near_face = box_face(axis, !forward);
-        const std::uint32_t far_face = box_face(axis, forward);
-        const Real inv = ray.inv_dir[axis];
-        Real near = (forward ? to_min : to_max) * inv;
-        Real far = (forward ? to_max : to_min) * inv;
-        const Real place = (ray.origin_error + box.placed) * abs(inv);
-        if (known.start_face == near_face) {
-            near = 0;
-            started_in = true;
-        }
-        if (known.start_face == far_face) far = 0;
-        // A difference, its small part, a reciprocal and a product.
-        if (near > in.t) in = {near, gamma<Real>(4) * abs(near) + place, near_face, true};
-        if (far < out.t) out = {far, gamma<Real>(4) * abs(far) + place, far_face, false};
-    }
-    const bool certainly_inside = known.inside || started_in;
-    if (in.t > out.t && !certainly_inside) return;
-    in.chord = out.t - in.t;
-    if (in.face != known.start_face && in.t > -infinity) report(in);
-    if (out.face != known.start_face && out.t < infinity) report(out);
+    const Vec3<Real> to_min = -start_from(ray, box.min);
+    const Vec3<Real> to_max = -start_from(ray, box.max);
+    BoxSpan<Real> span;
+    if (!cut(span, 0, ray.dir.x, ray.inv_dir.x, to_min.x, to_max.x, known) ||
+        !cut(span, 1, ray.dir.y, ray.inv_dir.y, to_min.y, to_max.y, known) ||
+        !cut(span, 2, ray.dir.z, ray.inv_dir.z, to_min.z, to_max.z, known))
+        return;
+    if (span.in > span.out && !known.inside && !span.started_in) return;
+    // A difference, its small part, a reciprocal and a product.
+    const auto offer = [&](Real t, int axis, std::uint32_t face, bool entering, Real chord) {
+        if (face == known.start_face || !(abs(t) < infinity) || stretch.ends_before(t)) return;
+        const Real error =
+            gamma<Real>(4) * abs(t) + (ray.origin_error + box.placed) * abs(ray.inv_dir[axis]);
+        const Crossing<Real> c{t, error, face, entering, chord};
+        if (stretch.holds(c)) report(c);
+    };
+    offer(span.in, span.in_axis, span.in_face, true, span.out - span.in);
+    offer(span.out, span.out_axis, span.out_face, false, infinity);
 }
 
 /// The crossing's point, with the face's own coordinate exact.

@@ -47,7 +47,39 @@ FrustumLine<Real> frustum_line(const FrustumSolid<Real>& f, const Ray<Real>& ray
     return line;
 }
 
-/// Where the line is inside the mantle prolonged to infinity, on the nappe of the solid.
+/// Whether the line stays outside of the mantle for certain: the textbook discriminant is negative
+/// by more than its own rounding and that of what follows here. Every term is a product of two of
+/// |start| + R and of |dir| + K, each taken out of a whole by some 8 roundings. See misses() of the
+/// ball.
+template <class Real>
+bool misses(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line) {
+    const Real rate = f.slope * line.dir_axial;
+    const Real radius = f.radius + f.slope * line.start_axial;
+    const Real qa = dot(line.dir_perp, line.dir_perp) - rate * rate;
+    const Real qb = dot(line.start_perp, line.dir_perp) - radius * rate;
+    const Real qc = dot(line.start_perp, line.start_perp) - radius * radius;
+    const Real steep = 1 + f.slope * f.slope;
+    const Real start_size = steep * dot(line.start, line.start) + f.radius * f.radius;
+    const Real noise = gamma<Real>(512) * (steep * ray.dir_squared) * start_size;
+    return qa > gamma<Real>(64) * (steep * ray.dir_squared) && qb * qb - qa * qc < -noise;
+}
+
+/// The line inside the mantle prolonged to infinity, on the nappe of the solid: from `in` to `out`.
+template <class Real>
+struct MantleSpan {
+    static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    Real in = -infinity;
+    Real out = infinity;
+
+    // What bound() needs.
+    Real slide = 0;
+    Real qa = 0;
+    Real discriminant = 0;
+    Real divided = infinity;  ///< the root that was divided by qa and so inherits its rounding
+    Real d_length = 0;
+    Real rate = 0;
+};
+
 /// Returns false when nowhere.
 ///
 /// With the radius R and the perpendicular part o at the start, their rates K and d along the line,
@@ -58,12 +90,12 @@ FrustumLine<Real> frustum_line(const FrustumSolid<Real>& f, const Ray<Real>& ray
 /// apex as well (the moment form; for the cylinder, K = 0, this is r^2 - distance^2 of the two
 /// axes).
 template <class Real>
-bool mantle_span(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line,
-                 const Known& known, Real slab_in, Real slab_out, Crossing<Real>& in,
-                 Crossing<Real>& out) {
+bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, const Known& known,
+                 Real slab_in, Real slab_out, MantleSpan<Real>& span) {
     using std::abs;
     using std::copysign;
     using std::sqrt;
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const Real dd = dot(line.dir_perp, line.dir_perp);
     const Real rate = f.slope * line.dir_axial;
     const Real d_length = sqrt(dd);
@@ -75,118 +107,132 @@ bool mantle_span(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frustu
         if (dd > 0) slide = -dot(line.start_perp, line.dir_perp) / dd;
         if (!(slide > slab_in)) slide = slab_in;
         if (!(slide < slab_out)) slide = slab_out;
-        if (!(abs(slide) < std::numeric_limits<Real>::infinity())) slide = 0;
+        if (!(abs(slide) < infinity)) slide = 0;
     }
-    // What rounding moves the line by, across the axis. The part along an axis is taken out twice,
-    // of the start and of the direction, and each leaves some 8 roundings of the whole; where the
-    // axis is a coordinate axis it is taken out exactly, and only the last difference is rounded.
-    // The radius is rounded at the size of its terms.
-    Real place =
-        ray.origin_error + f.placed + gamma<Real>(4) * (length(line.start_perp) + f.radius);
-    if (f.tilted) place += gamma<Real>(16) * length(line.start);
-    if (f.slope != 0)
-        place += gamma<Real>(6) * f.slope * (abs(line.start_axial) + abs(slide * line.dir_axial));
     const Vec3<Real> o = line.start_perp + slide * line.dir_perp;
     const Real radius = f.radius + f.slope * (line.start_axial + slide * line.dir_axial);
     const Real qb = dot(o, line.dir_perp) - radius * rate;
 
-    Real discriminant = 0;
-    // The root that was divided by qa inherits the rounding of qa, which is a difference.
-    Real divided = std::numeric_limits<Real>::infinity();
+    span.slide = slide;
+    span.qa = qa;
+    span.d_length = d_length;
+    span.rate = rate;
     Real low = 0;
     Real high = 0;
     if (on_mantle) {
-        const Real other = qa != 0 ? -2 * qb / qa : std::numeric_limits<Real>::infinity();
+        const Real other = qa != 0 ? -2 * qb / qa : infinity;
         low = other < 0 ? other : 0;
         high = other < 0 ? 0 : other;
-        divided = other;
+        span.divided = other;
     } else {
         const Real o_length = length(o);
         const Real qc = (o_length - abs(radius)) * (o_length + abs(radius));
         const Real v = length(radius * line.dir_perp - rate * o);
         const Real moment = abs(dot(f.axis, cross(o, line.dir_perp)));
-        discriminant = (v - moment) * (v + moment);
-        if (discriminant < 0) {
+        span.discriminant = (v - moment) * (v + moment);
+        if (span.discriminant < 0) {
             // A line steeper than the mantle meets it always.
             if (qa > 0 && !known.inside) return false;
-            discriminant = 0;
+            span.discriminant = 0;
         }
-        const Real root = sqrt(discriminant);
+        const Real root = sqrt(span.discriminant);
         const Real q = -(qb + copysign(root, qb));
         if (q == 0) {
             if (qa == 0 && qc > 0 && !known.inside) return false;
-            low = high = qa == 0 && qc <= 0 ? std::numeric_limits<Real>::infinity() : Real(0);
+            low = high = qa == 0 && qc <= 0 ? infinity : Real(0);
             if (qa == 0) low = -high;
         } else {
-            const Real r0 = qa != 0 ? q / qa : copysign(std::numeric_limits<Real>::infinity(), q);
+            const Real r0 = qa != 0 ? q / qa : copysign(infinity, q);
             const Real r1 = qc / q;
-            divided = r0;
+            span.divided = r0;
             low = r0 < r1 ? r0 : r1;
             high = r0 < r1 ? r1 : r0;
         }
-        divided += slide;
+        span.divided += slide;
         low += slide;
         high += slide;
     }
-
-    const auto error_at = [&](Real t) {
-        // A displacement by `place` changes qa t^2 + 2 qb t + qc by up to w at the root, hence the
-        // discriminant by |qa| w; a root by w over twice the derivative, or near a tangent by the
-        // half chord that it adds. From a start on the mantle the other root is -2 qb / qa.
-        const Real size =
-            abs(f.radius + f.slope * (line.start_axial + t * line.dir_axial)) * (1 + f.slope);
-        const Real w = place * (2 * size + place);
-        const Real steep = abs(qa);
-        Real along = 0;
-        if (on_mantle)
-            along = 2 * place * (d_length + abs(rate)) / steep;
-        else
-            along = discriminant > 4 * steep * w ? Real(0.54) * w / sqrt(discriminant)
-                                                 : sqrt(w / steep);
-        if (t == divided) {
-            const Real terms = d_length + abs(rate);
-            along += gamma<Real>(4) * (terms * terms / steep) * abs(t - slide);
-        }
-        return along + gamma<Real>(6) * (abs(t) + abs(slide));
-    };
-    constexpr Real infinity = std::numeric_limits<Real>::infinity();
-    in = {-infinity, 0, frustum_face::mantle, true};
-    out = {infinity, 0, frustum_face::mantle, false};
     if (qa > 0) {
-        in.t = low;
-        out.t = high;
+        span.in = low;
+        span.out = high;
     } else if (qa < 0) {
         // Inside beyond the roots; the nappe of the solid is where the radius grows.
         if (rate > 0)
-            in.t = high;
+            span.in = high;
         else
-            out.t = low;
+            span.out = low;
     } else if (dd > 0) {
         // Parallel to the mantle: one finite root.
         if (qb < 0)
-            in.t = abs(low) < infinity ? low : high;
+            span.in = abs(low) < infinity ? low : high;
         else
-            out.t = abs(low) < infinity ? low : high;
-    } else {
+            span.out = abs(low) < infinity ? low : high;
+    } else if (length(o) > radius && !known.inside && !on_mantle) {
         // Parallel to the axis of a cylinder: inside everywhere or nowhere.
-        if (length(o) > radius && !known.inside && !on_mantle) return false;
-        return true;
+        return false;
     }
-    if (abs(in.t) < infinity) in.error = error_at(in.t);
-    if (abs(out.t) < infinity) out.error = error_at(out.t);
     return true;
 }
 
+/// Bounds the error of a crossing of the mantle at t.
+///
+/// The line is displaced by `place` across the axis at most: the part along an axis is taken out
+/// twice, of the start and of the direction, and each leaves some 8 roundings of the whole; where
+/// the axis is a coordinate axis it is taken out exactly, and only the last difference is rounded.
+/// The radius is rounded at the size of its terms. That changes qa t^2 + 2 qb t + qc by up to w at
+/// the root, hence the discriminant by |qa| w; a root by w over twice the derivative, or near a
+/// tangent by the half chord that it adds. From a start on the mantle the other root is -2 qb / qa.
+template <class Real>
+Real mantle_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line,
+                  const MantleSpan<Real>& span, bool on_mantle, Real t) {
+    using std::abs;
+    using std::sqrt;
+    Real place =
+        ray.origin_error + f.placed + gamma<Real>(4) * (length(line.start_perp) + f.radius);
+    if (f.tilted) place += gamma<Real>(16) * length(line.start);
+    if (f.slope != 0)
+        place +=
+            gamma<Real>(6) * f.slope * (abs(line.start_axial) + abs(span.slide * line.dir_axial));
+    const Real size =
+        abs(f.radius + f.slope * (line.start_axial + t * line.dir_axial)) * (1 + f.slope);
+    const Real w = place * (2 * size + place);
+    const Real steep = abs(span.qa);
+    const Real terms = span.d_length + abs(span.rate);
+    Real along = 0;
+    if (on_mantle)
+        along = 2 * place * terms / steep;
+    else
+        along = span.discriminant > 4 * steep * w ? Real(0.54) * w / sqrt(span.discriminant)
+                                                  : sqrt(w / steep);
+    if (t == span.divided) along += gamma<Real>(4) * (terms * terms / steep) * abs(t - span.slide);
+    return along + gamma<Real>(6) * (abs(t) + abs(span.slide));
+}
+
+/// Bounds the error of a crossing of a cap's plane at t. The direction along the axis is rounded at
+/// the size of its terms.
+template <class Real>
+Real cap_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line,
+               const Vec3<Real>& from_end, Real t) {
+    using std::abs;
+    const Vec3<Real> steep = absolute(f.axis);
+    const Real height =
+        ray.origin_error + f.placed + gamma<Real>(4) * dot(steep, absolute(from_end));
+    const Real rate = gamma<Real>(3) * dot(steep, absolute(ray.dir));
+    return (height + rate * abs(t)) / abs(line.dir_axial) + gamma<Real>(3) * abs(t);
+}
+
 /// The solid is the mantle's interval within that between the two caps.
-template <class Real, class Report>
+template <class Real, class Last, class Report>
 void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& known,
-               Report&& report) {
+               const Stretch<Real, Last>& stretch, Report&& report) {
     using std::abs;
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const FrustumLine<Real> line = frustum_line(f, ray);
+    const bool on_mantle = known.start_face == frustum_face::mantle;
+    if (!known.inside && known.start_face == none && misses(f, ray, line)) return;
 
-    Crossing<Real> slab_in{-infinity, 0, 0, true};
-    Crossing<Real> slab_out{infinity, 0, 0, false};
+    Crossing<Real> in{-infinity, 0, 0, true};
+    Crossing<Real> out{infinity, 0, 0, false};
     bool certainly_inside = known.inside && f.capped;
     const Real to_small = -line.start_axial;
     const Vec3<Real> from_large = start_from(ray, f.large_end);
@@ -195,48 +241,43 @@ void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& k
         if ((to_small > 0 || to_large < 0) && !certainly_inside) return;
     } else {
         const bool forward = line.dir_axial > 0;
-        const Real small_error = ray.origin_error + f.placed +
-                                 gamma<Real>(4) * dot(absolute(f.axis), absolute(line.start));
-        const Real large_error = ray.origin_error + f.placed +
-                                 gamma<Real>(4) * dot(absolute(f.axis), absolute(from_large));
-        // The direction along the axis is rounded at the size of its terms.
-        const Real rate_error = gamma<Real>(3) * dot(absolute(f.axis), absolute(ray.dir));
-        Crossing<Real> small{to_small / line.dir_axial, small_error / abs(line.dir_axial),
-                             frustum_face::small_cap, forward};
-        Crossing<Real> large{to_large / line.dir_axial, large_error / abs(line.dir_axial),
-                             frustum_face::large_cap, !forward};
+        Crossing<Real> small{to_small / line.dir_axial, 0, frustum_face::small_cap, forward};
+        Crossing<Real> large{to_large / line.dir_axial, 0, frustum_face::large_cap, !forward};
         if (known.start_face == frustum_face::small_cap) small.t = 0;
         if (known.start_face == frustum_face::large_cap) large.t = 0;
-        const Real relative = gamma<Real>(2) + rate_error / abs(line.dir_axial);
-        small.error += relative * abs(small.t);
-        large.error += relative * abs(large.t);
-        slab_in = forward ? small : large;
-        slab_out = forward ? large : small;
-        if (f.capped && known.start_face == slab_in.face) certainly_inside = true;
+        in = forward ? small : large;
+        out = forward ? large : small;
+        if (f.capped && known.start_face == in.face) certainly_inside = true;
+        if (stretch.ends_before(in.t)) return;
     }
 
-    Crossing<Real> in;
-    Crossing<Real> out;
+    MantleSpan<Real> span;
     const Known mantle_known{known.start_face, certainly_inside};
-    if (!mantle_span(f, ray, line, mantle_known, slab_in.t, slab_out.t, in, out)) return;
-    const bool start_on_mantle = known.start_face == frustum_face::mantle;
+    if (!mantle_span(f, line, mantle_known, in.t, out.t, span)) return;
+    const auto offer = [&](Crossing<Real> c) {
+        if (c.face == known.start_face && c.t == 0) return;
+        if (!(abs(c.t) < infinity) || stretch.ends_before(c.t)) return;
+        c.error = c.face == frustum_face::mantle
+                      ? mantle_bound(f, ray, line, span, on_mantle, c.t)
+                      : cap_bound(f, ray, line,
+                                  c.face == frustum_face::small_cap ? line.start : from_large, c.t);
+        if (stretch.holds(c)) report(c);
+    };
+    const Crossing<Real> mantle_in{span.in, 0, frustum_face::mantle, true};
+    const Crossing<Real> mantle_out{span.out, 0, frustum_face::mantle, false};
     if (!f.capped) {
-        for (const Crossing<Real>& c : {in, out}) {
-            const bool is_start = start_on_mantle && c.t == 0;
-            if (!is_start && c.t >= slab_in.t && c.t <= slab_out.t) report(c);
-        }
+        const auto is_between = [&](Real t) { return t >= in.t && t <= out.t; };
+        if (is_between(span.in)) offer(mantle_in);
+        if (is_between(span.out)) offer(mantle_out);
         return;
     }
-    if (start_on_mantle && in.t == 0) certainly_inside = true;
-    if (slab_in.t > in.t) in = slab_in;
-    if (slab_out.t < out.t) out = slab_out;
+    if (on_mantle && span.in == 0) certainly_inside = true;
+    if (!(in.t > span.in)) in = mantle_in;
+    if (!(out.t < span.out)) out = mantle_out;
     if (in.t > out.t && !certainly_inside) return;
     in.chord = out.t - in.t;
-    const auto is_start = [&](const Crossing<Real>& c) {
-        return c.face == known.start_face && c.t == 0;
-    };
-    if (!is_start(in) && in.t > -infinity) report(in);
-    if (!is_start(out) && out.t < infinity) report(out);
+    offer(in);
+    offer(out);
 }
 
 /// The crossing's point, put back onto its face.
@@ -254,7 +295,10 @@ SurfacePoint<Real> surface_point(const FrustumSolid<Real>& f, const Ray<Real>& r
     }
     const FrustumLine<Real> line = frustum_line(f, ray);
     const Real axial = line.start_axial + t * line.dir_axial;
-    const Vec3<Real> radial = line.start_perp + t * line.dir_perp;
+    // From far away roundings of the start's size are left along the axis. Once more, lest they
+    // turn the radius out of its plane.
+    Vec3<Real> radial = line.start_perp + t * line.dir_perp;
+    if (f.tilted) radial -= dot(f.axis, radial) * f.axis;
     const Real distance = length(radial);
     const Real radius = f.radius + f.slope * axial;
     if (!(distance > 0)) {  // the apex itself

@@ -13,9 +13,9 @@ struct LatheSolid {
     const splines::Revolution<Real>* surface;  ///< its curve's exponent is from this solid's space
 };
 
-template <class Real, class Report>
+template <class Real, class Last, class Report>
 void crossings(const LatheSolid<Real>& lathe, const Ray<Real>& ray, const Known& known,
-               Report&& report) {
+               const Stretch<Real, Last>& stretch, Report&& report) {
     const splines::Revolution<Real>& surface = *lathe.surface;
     const auto found =
         splines::crossings(surface, start_from(ray, Vec3<Real>(0)), ray.dir, ray.origin_error);
@@ -26,7 +26,7 @@ void crossings(const LatheSolid<Real>& lathe, const Ray<Real>& ray, const Known&
         if (i == start) continue;
         Crossing<Real> c{found[i].t, found[i].error, found[i].segment, found[i].entering};
         if (c.entering && i + 1 < found.size()) c.chord = found[i + 1].t - c.t;
-        report(c);
+        if (stretch.holds(c) && !stretch.ends_before(c.t)) report(c);
     }
 }
 
@@ -51,7 +51,7 @@ SurfacePoint<Real> surface_point(const LatheSolid<Real>& lathe, const Ray<Real>&
     SurfacePoint<Real> p;
     p.anchor = Vec3<Real>(0);
     p.offset = splines::scaled(Vec3<Real>(on.x * cosine, on.y, on.x * sine), curve.exponent);
-    p.error = std::ldexp(gamma<Real>(16), curve.exponent);
+    p.error = ldexp(gamma<Real>(16), curve.exponent);
     p.normal = Vec3<Real>(tangent.y * cosine, -tangent.x, tangent.y * sine);
     // On the axis, where all directions meet, and on a curve that is a point.
     if (!(away > 0) && tangent.x != 0) p.normal = Vec3<Real>(0, -tangent.x, 0);

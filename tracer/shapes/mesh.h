@@ -33,24 +33,28 @@ struct MeshInstance {
     bool smooth;
 };
 
-/// Reports every crossing of the line with the mesh at a parameter from t_min to limit().
-template <class Real, class Limit, class Report>
-void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, Real t_min, Limit&& limit,
-               Report&& report) {
+/// Reports every crossing of the stretch with the mesh, but for the face that the line starts on,
+/// which it meets nowhere else.
+template <class Real, class Last, class Report>
+void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const Known& known,
+               const Stretch<Real, Last>& stretch, Report&& report) {
     const TriangleMesh<Real>& mesh = *instance.mesh;
-    traverse(mesh.bvh, ray, t_min, limit, [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const std::uint32_t face = mesh.bvh.order[i];
-            TriangleHit<Real> hit;
-            if (intersect(mesh.triangle(face), ray, hit)) {
-                const bool inward = !mesh.inward.empty() && mesh.inward[face] != 0;
-                if (report(Crossing<Real>{hit.t, hit.error, face, hit.entering != inward}, hit.u,
-                           hit.v))
-                    return true;
-            }
-        }
-        return false;
-    });
+    const Shear<Real> shear = shear_of(ray);
+    traverse(mesh.bvh, ray, stretch.first, stretch.last,
+             [&](std::uint32_t first, std::uint32_t count) {
+                 for (std::uint32_t i = first; i < first + count; ++i) {
+                     const std::uint32_t face = mesh.bvh.order[i];
+                     if (face == known.start_face) continue;
+                     TriangleHit<Real> hit;
+                     if (intersect(mesh.triangle(face), ray, shear, stretch, hit)) {
+                         const bool inward = !mesh.inward.empty() && mesh.inward[face] != 0;
+                         if (report(Crossing<Real>{hit.t, hit.error, face, hit.entering != inward},
+                                    hit.u, hit.v))
+                             return true;
+                     }
+                 }
+                 return false;
+             });
 }
 
 /// The interpolated normal at weights u, v; the geometric one where the face has none.

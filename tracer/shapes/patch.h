@@ -3,12 +3,14 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <optional>
 
 #include "model/shapes.h"
 #include "tracer/bounds.h"
+#include "tracer/mesh_compile.h"
 #include "tracer/shapes/mesh.h"
 #include "tracer/splines/tessellate.h"
 
@@ -50,6 +52,33 @@ class PatchSurface {
     mutable std::atomic<const TriangleMesh<Real>*> ready_{nullptr};
 };
 
+template <class Real>
+PatchSurface<Real>::PatchSurface(Patch patch, std::optional<double> tolerance,
+                                 const splines::BorderTolerances* borders, int exponent,
+                                 bool smooth)
+    : patch_(std::move(patch)),
+      tolerance_(tolerance),
+      borders_(borders),
+      exponent_(exponent),
+      smooth_(smooth) {
+    for (const Vec3d& p : patch_.control) {
+        bounds_.extend(
+            convert<Real>(Vec3d(ldexp(p.x, exponent), ldexp(p.y, exponent), ldexp(p.z, exponent))));
+    }
+}
+
+template <class Real>
+const TriangleMesh<Real>& PatchSurface<Real>::build() const {
+    const std::lock_guard lock(building_);
+    if (mesh_ == nullptr) {
+        auto mesh =
+            std::make_shared<const Mesh>(splines::tessellate(patch_, tolerance_, borders_).value());
+        mesh_ = compile_mesh<Real>(std::move(mesh), exponent_, MeshNeeds{smooth_, false}, 1);
+        ready_.store(mesh_.get(), std::memory_order_release);
+    }
+    return *mesh_;
+}
+
 /// One place where a patch stands. Faces are those of its mesh.
 template <class Real>
 struct PatchSolid {
@@ -59,10 +88,10 @@ struct PatchSolid {
     MeshInstance<Real> instance() const { return {&surface->mesh(), smooth}; }
 };
 
-template <class Real, class Limit, class Report>
-void crossings(const PatchSolid<Real>& patch, const Ray<Real>& ray, Real t_min, Limit&& limit,
-               Report&& report) {
-    crossings(patch.instance(), ray, t_min, limit, report);
+template <class Real, class Last, class Report>
+void crossings(const PatchSolid<Real>& patch, const Ray<Real>& ray, const Known& known,
+               const Stretch<Real, Last>& stretch, Report&& report) {
+    crossings(patch.instance(), ray, known, stretch, report);
 }
 
 /// The point at weights u, v of a face, with the surface's parameters (linear within the triangle).

@@ -12,24 +12,49 @@ struct HalfSpace {
     Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
-template <class Real, class Report>
+/// Whether the line crosses the plane behind its start or after the stretch for certain, told from
+/// the plain difference of places, which is off by u of the places' sizes, and without a division.
+/// See misses() of the ball.
+///
+/// \param slope  dot(normal, dir)
+template <class Real, class Last>
+bool misses(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
+            const Stretch<Real, Last>& stretch) {
+    using std::abs;
+    const Vec3<Real> size = absolute(ray.origin) + absolute(half.point);
+    const Real noise =
+        gamma<Real>(16) * (size.x + size.y + size.z) + ray.origin_error + half.placed;
+    const Real height = dot(half.normal, ray.origin - half.point);
+    const Real ahead = slope < 0 ? height : -height;  // t |slope|
+    const Real steep = abs(slope);
+    if (!(steep * steep > gamma<Real>(64) * gamma<Real>(64) * ray.dir_squared)) return false;
+    return (stretch.first >= 0 && ahead + 2 * noise < 0) ||
+           ahead - 2 * noise > (1 + gamma<Real>(8)) * stretch.last() * steep;
+}
+
+template <class Real, class Last, class Report>
 void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& known,
-               Report&& report) {
+               const Stretch<Real, Last>& stretch, Report&& report) {
     using std::abs;
     if (known.start_face != none) return;  // a line meets a plane once
     const Real slope = dot(half.normal, ray.dir);
     if (slope == 0) return;
+    if (misses(half, ray, slope, stretch)) return;
     const Vec3<Real> rel = start_from(ray, half.point);
     const Real height = dot(half.normal, rel);
-    const Real t = -height / slope;
+    const Real inv = 1 / slope;
+    const Real t = -height * inv;
+    if (stretch.ends_before(t)) return;
     // Both dot products are rounded at the size of their terms, which for a normal along an axis is
     // their own.
-    const Real size = dot(absolute(half.normal), absolute(rel));
-    const Real error = (ray.origin_error + half.placed + gamma<Real>(4) * size +
-                        gamma<Real>(3) * abs(t) * dot(absolute(half.normal), absolute(ray.dir))) /
-                           abs(slope) +
-                       gamma<Real>(2) * abs(t);
-    report(Crossing<Real>{t, error, 0, slope < 0});
+    const Vec3<Real> steep = absolute(half.normal);
+    const Real error =
+        (ray.origin_error + half.placed + gamma<Real>(4) * dot(steep, absolute(rel)) +
+         gamma<Real>(3) * abs(t) * dot(steep, absolute(ray.dir))) *
+            abs(inv) +
+        gamma<Real>(4) * abs(t);
+    const Crossing<Real> c{t, error, 0, slope < 0};
+    if (stretch.holds(c)) report(c);
 }
 
 /// The crossing's point, put back onto the plane.

@@ -13,16 +13,16 @@ struct PrismSolid {
     int unit = 0;  ///< this solid's space is the shape's own times 2^unit
 };
 
-template <class Real, class Report>
+template <class Real, class Last, class Report>
 void crossings(const PrismSolid<Real>& prism, const Ray<Real>& ray, const Known& known,
-               Report&& report) {
+               const Stretch<Real, Last>& stretch, Report&& report) {
     const splines::KnownStart start{known.start_face, known.inside};
     const auto found = splines::crossings(*prism.surface, start_from(ray, Vec3<Real>(0)), ray.dir,
                                           ray.origin_error, start);
     for (std::size_t i = 0; i < found.size(); ++i) {
         Crossing<Real> c{found[i].t, found[i].error, found[i].segment, found[i].entering};
         if (c.entering && i + 1 < found.size()) c.chord = found[i + 1].t - c.t;
-        report(c);
+        if (stretch.holds(c) && !stretch.ends_before(c.t)) report(c);
     }
 }
 
@@ -37,14 +37,13 @@ SurfacePoint<Real> surface_point(const PrismSolid<Real>& prism, const Ray<Real>&
     const Vec3<Real> near = splines::scaled(start + t * ray.dir, -curve.exponent);
     SurfacePoint<Real> p;
     p.anchor = Vec3<Real>(0);
-    p.error = std::ldexp(gamma<Real>(16), curve.exponent);
+    p.error = ldexp(gamma<Real>(16), curve.exponent);
     if (face >= curve.segments()) {
         const bool top = face == surface.top_face();
         p.offset = splines::scaled(Vec3<Real>(near.x, top ? surface.top : surface.bottom, near.z),
                                    curve.exponent);
         p.normal = Vec3<Real>(0, top ? 1 : -1, 0);
-        p.parameter =
-            Vec2<Real>(std::ldexp(p.offset.x, -prism.unit), std::ldexp(p.offset.z, -prism.unit));
+        p.parameter = Vec2<Real>(ldexp(p.offset.x, -prism.unit), ldexp(p.offset.z, -prism.unit));
     } else {
         const Real s = splines::nearest(
             splines::side_crossings(surface, start, ray.dir, ray.origin_error, face), t, Real(0.5));

@@ -31,21 +31,20 @@ struct TriangleHit {
 ///   by their distance in z from the hit;
 /// - the weighted mean of the corners' z errs by a few u of its terms.
 template <class Real>
-Real triangle_error(const Ray<Real>& ray, Real placed, const Vec3<Real>& a, const Vec3<Real>& b,
-                    const Vec3<Real>& c, Real det, Real t, const Vec3<Real>& products,
-                    const Vec3<Real>& z) {
+Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real placed, const Vec3<Real>& a,
+                    const Vec3<Real>& b, const Vec3<Real>& c, Real det, Real t,
+                    const Vec3<Real>& products, const Vec3<Real>& z) {
     using std::abs;
-    const Shear<Real>& s = ray.shear;
     const Vec3<Real> n = absolute(cross(b - a, c - a));
     Vec3<Real> size = absolute(a);
     for (const Vec3<Real>& corner : {absolute(b), absolute(c)}) {
         for (int i = 0; i < 3; ++i) size[i] = corner[i] > size[i] ? corner[i] : size[i];
     }
-    // Relative to the start: one rounding. Sheared: quotient, product, difference, and the quotient
-    // once more where it takes part as the ray's direction.
+    // Relative to the start: one rounding. Sheared: reciprocal, two products, difference, and the
+    // first two once more where they take part as the ray's direction.
     const Real along = size[s.z];
-    const Real moved = n[s.x] * (2 * size[s.x] + 4 * abs(s.sx) * along) +
-                       n[s.y] * (2 * size[s.y] + 4 * abs(s.sy) * along) + n[s.z] * along;
+    const Real moved = n[s.x] * (2 * size[s.x] + 6 * abs(s.sx) * along) +
+                       n[s.y] * (2 * size[s.y] + 6 * abs(s.sy) * along) + n[s.z] * along;
     const Real by_start = (ray.origin_error + placed) * (n.x + n.y + n.z);
     const Real weights = products.x * (abs(z.x - t) + abs(z.x)) +
                          products.y * (abs(z.y - t) + abs(z.y)) +
@@ -60,10 +59,12 @@ Real triangle_error(const Ray<Real>& ray, Real placed, const Vec3<Real>& a, cons
 /// inside. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1) 2013; an
 /// edge value whose products are equal takes its exact sign from their rounding errors, where the
 /// paper goes to a wider type.
-template <class Real>
-bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, TriangleHit<Real>& hit) {
+///
+/// Returns false for a hit outside of the stretch, too.
+template <class Real, class Last>
+bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& s,
+               const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
     using std::abs;
-    const Shear<Real>& s = ray.shear;
     const Vec3<Real> a = -start_from(ray, triangle.a);
     const Vec3<Real> b = -start_from(ray, triangle.b);
     const Vec3<Real> c = -start_from(ray, triangle.c);
@@ -84,15 +85,17 @@ bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, Triang
     const Real cz = s.sz * c[s.z];
     const Real t = (u * az + v * bz + w * cz) / det;
 
+    if (stretch.ends_before(t)) return false;
+
     hit.t = t;
-    hit.error = triangle_error(ray, triangle.placed, a, b, c, det, t,
+    hit.error = triangle_error(ray, s, triangle.placed, a, b, c, det, t,
                                {(abs(cx * by) + abs(cy * bx)), (abs(ax * cy) + abs(ay * cx)),
                                 (abs(bx * ay) + abs(by * ax))},
                                {az, bz, cz});
     hit.u = v / det;
     hit.v = w / det;
     hit.entering = det > 0;
-    return true;
+    return t + hit.error >= stretch.first;
 }
 
 /// A bound on the distance from the plane of edges `ab`, `ac` of a point computed as u ab + v ac:

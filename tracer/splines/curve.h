@@ -36,11 +36,11 @@ Curve<Real> make_curve(const PlaneCurve& plane, double extent = 0) {
     for (const Vec2d& p : plane.points) size = std::max({size, std::abs(p.x), std::abs(p.y)});
     Curve<Real> curve;
     curve.degree = static_cast<std::size_t>(plane.degree);
-    curve.exponent = size > 0 ? std::ilogb(size) : 0;
+    curve.exponent = size > 0 ? ilogb(size) : 0;
     curve.points.reserve(plane.points.size());
     for (const Vec2d& p : plane.points) {
-        curve.points.emplace_back(static_cast<Real>(std::ldexp(p.x, -curve.exponent)),
-                                  static_cast<Real>(std::ldexp(p.y, -curve.exponent)));
+        curve.points.emplace_back(static_cast<Real>(ldexp(p.x, -curve.exponent)),
+                                  static_cast<Real>(ldexp(p.y, -curve.exponent)));
     }
     curve.min = curve.max = curve.points.front();
     for (const Vec2<Real>& p : curve.points) {
@@ -158,12 +158,12 @@ Real reach(const Vec3<Real>& v) {
 /// A power-of-two scale for a direction of any length, so that its largest component is near 1.
 template <class Real>
 int direction_exponent(const Vec3<Real>& dir) {
-    return std::ilogb(reach(dir));
+    return ilogb(reach(dir));
 }
 
 template <class Real>
 Vec3<Real> scaled(const Vec3<Real>& v, int exponent) {
-    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+    return {ldexp(v.x, exponent), ldexp(v.y, exponent), ldexp(v.z, exponent)};
 }
 
 }  // namespace lancer::splines

@@ -31,8 +31,8 @@ template <class Real>
 Extrusion<Real> make_extrusion(const PlaneCurve& outline, double bottom, double top, bool capped) {
     Extrusion<Real> surface;
     surface.curve = make_curve<Real>(outline, std::max(std::abs(bottom), std::abs(top)));
-    surface.bottom = static_cast<Real>(std::ldexp(bottom, -surface.curve.exponent));
-    surface.top = static_cast<Real>(std::ldexp(top, -surface.curve.exponent));
+    surface.bottom = static_cast<Real>(ldexp(bottom, -surface.curve.exponent));
+    surface.top = static_cast<Real>(ldexp(top, -surface.curve.exponent));
     surface.capped = capped;
     if (signed_area(surface.curve) < 0) surface.outward = -1;
     return surface;
@@ -93,7 +93,7 @@ ExtrusionLine<Real> extrusion_line(const Extrusion<Real>& surface, const Vec3<Re
     const Vec3<Real> away = line.origin - center;
     const Real far = reach(away);
     line.place =
-        std::ldexp(origin_error, -curve.exponent) + gamma<Real>(4) * (reach(line.origin) + far + 8);
+        ldexp(origin_error, -curve.exponent) + gamma<Real>(4) * (reach(line.origin) + far + 8);
     if (far > 4) {
         line.slide = -dot(away, line.dir) / dot(line.dir, line.dir);
         line.origin += line.slide * line.dir;
@@ -146,7 +146,7 @@ ExtrusionCrossings<Real> side_crossings(const Extrusion<Real>& surface, const Ve
     if (!(line.horizontal > 0)) return found;
     for (CurveCrossing<Real> c : endless_crossings(surface, line)) {
         if (c.segment != segment) continue;
-        c.t = std::ldexp(c.t, surface.curve.exponent - line.unit);
+        c.t = ldexp(c.t, surface.curve.exponent - line.unit);
         found.push_back(c);
     }
     return found;
@@ -194,8 +194,8 @@ ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Re
 
     const auto report = [&](CurveCrossing<Real> c) {
         if (start.face == c.segment && c.t == 0) return;
-        c.t = std::ldexp(c.t, curve.exponent - line.unit);
-        c.error = std::ldexp(c.error, curve.exponent - line.unit);
+        c.t = ldexp(c.t, curve.exponent - line.unit);
+        c.error = ldexp(c.error, curve.exponent - line.unit);
         found.push_back(c);
     };
     if (!surface.capped) {

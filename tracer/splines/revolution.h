@@ -97,7 +97,10 @@ RevolutionLine<Real> revolution_line(const Revolution<Real>& surface, const Vec3
         line.origin = origin + line.slide * dir;
     }
     line.place = origin_error + gamma<Real>(4) * (reach(origin) + far + 8);
-    line.horizontal = sqrt(dir.x * dir.x + dir.z * dir.z);
+    // Directions are near 1: what has no sound square beside that moves the line by nothing.
+    const Real squared = dir.x * dir.x + dir.z * dir.z;
+    line.horizontal = is_sound_square(squared) ? sqrt(squared) : Real(0);
+    if (line.horizontal == 0) line.dir.x = line.dir.z = 0;
     const Real hx = line.horizontal > 0 ? dir.x / line.horizontal : Real(1);
     const Real hz = line.horizontal > 0 ? dir.z / line.horizontal : Real(0);
     line.along = line.origin.x * hx + line.origin.z * hz;
@@ -194,7 +197,7 @@ CurveCrossings<Real> crossings(const Revolution<Real>& surface, const Vec3<Real>
     const int unit = direction_exponent(dir);
     RevolutionLine<Real> line =
         revolution_line(surface, scaled(origin, -curve.exponent), scaled(dir, -unit),
-                        std::ldexp(origin_error, -curve.exponent));
+                        ldexp(origin_error, -curve.exponent));
     CurveCrossings<Real> found;
     if (abs(line.beside) > curve.max.x) return found;
 
@@ -241,8 +244,8 @@ CurveCrossings<Real> crossings(const Revolution<Real>& surface, const Vec3<Real>
         return x.segment != y.segment ? x.segment < y.segment : x.s < y.s;
     });
     for (std::size_t i = 0; i < found.size(); ++i) {
-        found[i].t = std::ldexp(found[i].t, curve.exponent - unit);
-        found[i].error = std::ldexp(found[i].error, curve.exponent - unit);
+        found[i].t = ldexp(found[i].t, curve.exponent - unit);
+        found[i].error = ldexp(found[i].error, curve.exponent - unit);
         if (surface.encloses && !only) found[i].entering = i % 2 == 0;
     }
     return found;

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""What accuracy costs: writes the table in docs/performance.md.
+
+    cmake --preset release -DBUILD_TESTING=ON && cmake --build build/release --target bench_kernels
+    tests/bench/kernels/kernels.py [BENCH_KERNELS]
+
+Times come from interleaved runs of one process; instructions from valgrind --tool=callgrind, as the
+difference of a picture of 96 x 72 pixels and one of 8 x 6, so that loading and compiling drop out.
+"""
+import json
+import os
+import re
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.normpath(os.path.join(HERE, "..", "..", ".."))
+PAGE = os.path.join(ROOT, "docs", "performance.md")
+BEGIN = "<!-- begin: tests/bench/kernels/kernels.py -->\n"
+END = "<!-- end: tests/bench/kernels/kernels.py -->\n"
+
+# What is replaced, the set of kernels that does so, and the scene that shows it.
+METHODS = [
+    ("sphere", "shapes", "spheres"),
+    ("box", "shapes", "boxes"),
+    ("plane", "shapes", "planes"),
+    ("triangle", "shapes", "triangles"),
+    ("cylinder and cone", "shapes", "frusta"),
+    ("slab tests of the tree", "tree", "triangles"),
+    ("starts as sums of two numbers, mapped starts", "places", "harbour"),
+    ("contacts, rule for bodies of glass", "contacts", "glass"),
+]
+SCENES = ["spheres", "boxes", "planes", "triangles", "frusta", "harbour", "glass"]
+
+
+def instructions(bench, kernels, scene):
+    def run(width):
+        out = subprocess.run(
+            ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", bench, kernels, scene, str(width)],
+            capture_output=True, text=True, check=True)
+        return int(re.search(r"refs:\s*([\d,]+)", out.stderr).group(1).replace(",", ""))
+    return run(96) - run(8)
+
+
+def row(bench, times, what, kernels, scene):
+    own, other = instructions(bench, "own", scene), instructions(bench, kernels, scene)
+    measured = times[scene][kernels]
+    return (f"| {what} | {scene} | {own / 1e6:.1f} | {other / 1e6:.1f} | {own / other:.2f} | "
+            f"{measured['ratio']:.2f} | {100 * measured['different']:.2f} % |\n")
+
+
+def main():
+    bench = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build/release/bin/bench_kernels"))
+    times = json.loads(subprocess.run([bench], capture_output=True, text=True, check=True).stdout)
+    head = ("| {} | scene | million instructions | with textbook's | ratio | time ratio | pixels that differ |\n"
+            "|---|---|---|---|---|---|---|\n")
+    table = head.format("method") + "".join(row(bench, times, *method) for method in METHODS)
+    table += "\n" + head.format("all together")
+    table += "".join(row(bench, times, "all", "all", scene) for scene in SCENES)
+    with open(PAGE) as file:
+        page = file.read()
+    before, rest = page.split(BEGIN)
+    _, after = rest.split(END)
+    with open(PAGE, "w") as file:
+        file.write(before + BEGIN + table + END + after)
+
+
+if __name__ == "__main__":
+    main()

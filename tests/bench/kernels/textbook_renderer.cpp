@@ -1,0 +1,16 @@
+// One set of kernels: LANCER_METHODS says which (textbook_methods.h, CMakeLists.txt).
+#include "tests/bench/kernels/textbook_tracer.h"
+
+// After the kernels that it is to find.
+#include "tests/bench/kernels/kernel_sets.h"
+#include "tracer/renderer_of.h"
+
+namespace lancer {
+
+template <>
+[[gnu::visibility("default")]] std::unique_ptr<Renderer> compile_set<LANCER_METHODS>(
+    const Scene& scene, const Settings& settings) {
+    return std::make_unique<RendererOf<double>>(scene, settings);
+}
+
+}  // namespace lancer

@@ -1,0 +1,65 @@
+// What stands between the shapes, as textbooks have it: plain slab tests, starts rounded to one
+// number, the nearest hit beyond an epsilon.
+#pragma once
+
+#include "tests/bench/kernels/textbook_shapes.h"
+#include "tracer/query.h"
+
+namespace lancer {
+
+// Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986: without the low part of the origin and
+// without widening.
+
+template <methods::Tree Real>
+void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis, const SlabRay<Real>& ray,
+                  Four<Real>& near, Four<Real>& far) {
+    const Four<Real> enter(ray.negative ? node.max[axis] : node.min[axis]);
+    const Four<Real> leave(ray.negative ? node.min[axis] : node.max[axis]);
+    const Four<Real> origin(ray.enter);
+    const Four<Real> inv(ray.inv_dir);
+    near = larger((enter - origin) * inv, near);
+    far = smaller((leave - origin) * inv, far);
+}
+
+template <methods::Tree Real>
+SlabRay<Real> slab_ray(const Ray<Real>& ray, int axis) {
+    const Real inv = ray.inv_dir[axis];
+    return {ray.origin[axis], ray.origin[axis], inv, signbit(inv)};
+}
+
+template <methods::Tree Real>
+Four<Real> widened_far(const Four<Real>& far) {
+    return far;
+}
+
+template <methods::Contacts Real, class Bodies>
+class Acceptance<Real, Bodies> {
+  public:
+    Acceptance(const World<Real>&, const Start<Real>& start, const Bodies&)
+        : nearest_(start.t + textbook_epsilon) {}
+    Known known(std::uint32_t) const { return {}; }
+    bool operator()(std::uint32_t, const Crossing<Real>& c) const { return c.t > nearest_; }
+    Real met_at(const Crossing<Real>& c) const { return c.t; }
+
+  private:
+    Real nearest_;
+};
+
+template <methods::Contacts Real>
+class NearestContact<Real> {
+  public:
+    Real limit() const { return nearest_.t; }
+    void add(const Hit<Real>& hit) {
+        if (hit.t < nearest_.t) nearest_ = hit;
+    }
+    Contact<Real> take() const {
+        Contact<Real> contact;
+        if (nearest_.t < std::numeric_limits<Real>::infinity()) contact.push_back(nearest_);
+        return contact;
+    }
+
+  private:
+    Hit<Real> nearest_{std::numeric_limits<Real>::infinity(), 0, {}};
+};
+
+}  // namespace lancer

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""The kernels against 256 bits: writes the table in docs/accuracy.md.
+
+    tests/oracle/table.py [FOLDER [RAYS]]      default: build/dev/bin, a million rays a shape
+"""
+import os
+import subprocess
+import sys
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+PAGE = os.path.join(ROOT, "docs", "accuracy.md")
+BEGIN = "<!-- begin: tests/oracle/table.py -->\n"
+END = "<!-- end: tests/oracle/table.py -->\n"
+HEAD = ("| shape | crossings | worst error of t | median bound | used | point off, worst | its bound used | "
+        "normal, worst | case |\n|---|---|---|---|---|---|---|---|---|\n")
+
+
+def main():
+    folder = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "dev", "bin")
+    environment = dict(os.environ, LANCER_ORACLE_RAYS=sys.argv[2] if len(sys.argv) > 2 else "1000000")
+    rows = ""
+    for test in ("solids_oracle_test", "splines_oracle_test"):
+        run = subprocess.run([os.path.join(folder, test)], env=environment, capture_output=True, text=True)
+        rows += "".join(line + "\n" for line in run.stdout.splitlines() if line.startswith("| "))
+        if run.returncode != 0:
+            sys.exit(run.stdout)
+    with open(PAGE) as file:
+        page = file.read()
+    before, rest = page.split(BEGIN)
+    _, after = rest.split(END)
+    with open(PAGE, "w") as file:
+        file.write(before + BEGIN + HEAD + rows + END + after)
+
+
+if __name__ == "__main__":
+    main()
