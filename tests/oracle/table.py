@@ -17,8 +17,9 @@ HEAD = ("| shape | crossings | worst error of t | median bound | used | point of
 
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "dev", "bin")
-    environment = dict(os.environ, LANCER_ORACLE_RAYS=sys.argv[2] if len(sys.argv) > 2 else "1000000")
-    rows = ""
+    rays = sys.argv[2] if len(sys.argv) > 2 else "1000000"
+    environment = dict(os.environ, LANCER_ORACLE_RAYS=rays)
+    rows = f"{int(rays):,} rays a shape:\n\n" + HEAD
     for test in ("solids_oracle_test", "splines_oracle_test"):
         run = subprocess.run([os.path.join(folder, test)], env=environment, capture_output=True, text=True)
         rows += "".join(line + "\n" for line in run.stdout.splitlines() if line.startswith("| "))
@@ -29,7 +30,7 @@ def main():
     before, rest = page.split(BEGIN)
     _, after = rest.split(END)
     with open(PAGE, "w") as file:
-        file.write(before + BEGIN + HEAD + rows + END + after)
+        file.write(before + BEGIN + rows + END + after)
 
 
 if __name__ == "__main__":
