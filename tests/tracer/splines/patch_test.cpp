@@ -46,13 +46,11 @@ struct Met {
 std::vector<Met> meetings(const BicubicSurface<double>& surface, const Ray<double>& ray) {
     std::vector<Met> met;
     const BicubicSolid<double> solid{&surface};
-    crossings(
-        solid, ray, -std::numeric_limits<double>::infinity(),
-        [] { return std::numeric_limits<double>::infinity(); },
-        [&](const Crossing<double>& c, double u, double v) {
-            met.push_back({c.t, c.error, bicubic_point(solid, c.face, u, v)});
-            return false;
-        });
+    crossings(solid, ray, Known{}, whole_line<double>(),
+              [&](const Crossing<double>& c, double u, double v) {
+                  met.push_back({c.t, c.error, bicubic_point(solid, c.face, u, v)});
+                  return false;
+              });
     return met;
 }
 
