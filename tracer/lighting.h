@@ -83,7 +83,7 @@ class Lighting {
             const bool front = cosine > 0;
             if (front ? !(matt_in_front || glossy) : !(cosine < 0 && f.lit_from_behind)) continue;
             const Vec3<Real> color = at.color * reaching(i, light, s, c, at);
-            if (!(max_component(color) > 0)) continue;
+            if (!(max_component(absolute(color)) > 0)) continue;
             const Vec3<Real> matt = s.opacity * s.color * color;
             if (front) {
                 sum += matt * (f.diffuse * cosine);
@@ -109,7 +109,7 @@ class Lighting {
     Vec3<Real> reaching(std::size_t i, const LightSource<Real>& light, const Surface<Real>& s,
                         const Crossed<Real, Around>& c, const Illumination<Real>& at) {
         Vec3<Real> share(1);
-        if (world_.settings.shadows && light.shadows && max_component(at.color) > 0) {
+        if (world_.settings.shadows && light.shadows && max_component(absolute(at.color)) > 0) {
             ++counts.shadow;
             const Ray<Real> ray = make_ray(s.position, s.position_lo, at.direction, s.error);
             share = light_through(world_, ray, at.distance, c.touched, c.towards(s, at.direction));

@@ -150,6 +150,19 @@ TEST(Terms, FadeIsTwoOverOnePlusThePowerOfTheDistance) {
     EXPECT_COLOR_NEAR(seen(scene, from_above, origin), Color(0.8), exact);
 }
 
+TEST(Terms, ANegativeLightTakesLightAway) {
+    Scene scene = floor_of(matt(Color(1), 0.5));
+    scene.lights[0].kind = DirectionalLight{{0, -1, 0}};
+    scene.lights.push_back(scene.lights[0]);
+    scene.lights[1].color = Color(-0.5, -0.25, 0);
+    EXPECT_COLOR_NEAR(seen(scene, from_above, origin), Color(0.25, 0.375, 0.5), exact);
+    // So do its shadows: where it does not come, nothing is taken.
+    scene.lights[1].kind = PointLight{{0, 8, 0}, {}};
+    show(scene, Sphere{{0, 7, 0}, 0.5}, matt(Color(1), 1));
+    scene.lights[0].shadows = false;
+    EXPECT_COLOR_NEAR(seen(scene, from_above, origin), Color(0.5), exact);
+}
+
 Scene spot(double radius, double falloff, double tightness, const Vec3d& look_at) {
     Scene scene = floor_of(matt(Color(1), 1));
     SpotLight light;
