@@ -38,4 +38,8 @@ struct Image {
     const double* pixel(int x, int y) const { return data.data() + index(x, y); }
 };
 
+/// The picture as red, green, blue and, where it has one, alpha: grey stands three times, extra
+/// channels are left out.
+Image in_color(Image image);
+
 }  // namespace lancer

@@ -98,7 +98,7 @@ std::shared_ptr<const Image> Evaluator::load_image(const std::string& path, io::
     auto& loaded = program_.images[{path, space}];
     if (loaded.content == nullptr && loaded.problem.empty()) {
         try {
-            loaded.content = std::make_shared<const Image>(loader_.image(path, space));
+            loaded.content = std::make_shared<const Image>(in_color(loader_.image(path, space)));
         } catch (const FileError& error) {
             loaded.problem = error.what();
         }

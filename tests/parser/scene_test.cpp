@@ -84,6 +84,18 @@ TEST(SceneFromScript, AFileIsLoadedOnceHoweverOftenItIsNamed) {
     EXPECT_EQ(result.scene.textures.size(), 3u);
 }
 
+TEST(SceneFromScript, ImagesHaveThreeChannelsOrFourWhateverTheFileHas) {
+    const auto result =
+        run("texture a { image \"grey.png\" } texture b { image \"layers.exr\" }"
+            "texture c { image \"plain.png\" }");
+    ASSERT_EQ(result.messages, "");
+    ASSERT_EQ(result.scene.images.size(), 3u);
+    for (const SceneImage& image : result.scene.images) {
+        EXPECT_EQ(image.pixels->channels, 3) << image.path;
+        EXPECT_EQ(image.pixels->data.size(), 3u) << image.path;
+    }
+}
+
 TEST(SceneFromScript, APolygonBecomesTriangles) {
     const auto result =
         run("mesh { vertices [[0,0,0], [1,0,0], [1,1,0], [0,1,0]] faces [[0, 1, 2, 3]] }");

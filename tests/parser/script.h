@@ -20,7 +20,7 @@ struct Result {
 };
 
 /// A loader that knows these files and no others. Meshes and images named are one triangle, one
-/// pixel.
+/// pixel: "grey" of one channel, "layers" with more than colour.
 inline Loader memory_loader(std::map<std::string, std::string> files) {
     Loader loader;
     loader.text = [files](const std::string& path, std::size_t limit) {
@@ -40,6 +40,12 @@ inline Loader memory_loader(std::map<std::string, std::string> files) {
     loader.image = [](const std::string& path, io::ColorSpace) {
         if (path.find("missing") != std::string::npos)
             throw FileError("cannot read '" + path + "'");
+        if (path.find("grey") != std::string::npos) return Image(1, 1, 1);
+        if (path.find("layers") != std::string::npos) {
+            Image image(1, 1, 5);  // its fourth channel is no alpha
+            image.extra_names = {"depth.Z", "normal.X"};
+            return image;
+        }
         return Image(1, 1);
     };
     return loader;
