@@ -9,10 +9,14 @@ namespace {
 
 using Kind = ast::Statement::Kind;
 
-/// "a sphere", "an image".
-std::string with_article(const std::string& title) {
-    const bool vowel = std::string_view("aeiou").find(title.front()) != std::string_view::npos;
-    return (vowel ? "an " : "a ") + title;
+/// "'base', 'top' and 'radius'".
+std::string enumeration(const std::vector<std::string_view>& words) {
+    std::string all;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) all += i + 1 < words.size() ? ", " : " and ";
+        all.append("'").append(words[i]).append("'");
+    }
+    return all;
 }
 
 std::string_view word_of(Kind kind) {
@@ -39,6 +43,11 @@ std::string_view word_of(Kind kind) {
 }
 
 }  // namespace
+
+std::string with_article(const std::string& title) {
+    const bool vowel = std::string_view("aeiou").find(title.front()) != std::string_view::npos;
+    return (vowel ? "an " : "a ") + title;
+}
 
 BlockReader::BlockReader(Evaluator& evaluator, const ast::File& file, const ast::Statement& block,
                          const BlockWord& word)
@@ -187,13 +196,16 @@ bool BlockReader::read(void* own, void* shared) {
     }
     if (block_.damaged) good_ = false;
     const auto& fields = word_.properties.fields();
+    std::vector<std::string_view> missing;
     for (std::size_t i = 0; i < fields.size() && !block_.damaged; ++i) {
         if (fields[i]->standard != required || given_[i].statement != nullptr) continue;
-        if (std::find(misspelt_.begin(), misspelt_.end(), fields[i]->name) != misspelt_.end())
-            continue;
+        if (std::find(misspelt_.begin(), misspelt_.end(), fields[i]->name) == misspelt_.end())
+            missing.push_back(fields[i]->name);
+    }
+    if (!missing.empty()) {
         good_ = false;
         evaluator_.report().error(Message::property_missing, place(),
-                                  with_article(word_.info->title()), fields[i]->name);
+                                  with_article(word_.info->title()), enumeration(missing));
     }
     return good_;
 }

@@ -9,6 +9,9 @@
 
 namespace lancer {
 
+/// "a sphere", "an image".
+std::string with_article(const std::string& title);
+
 class BlockReader {
   public:
     BlockReader(Evaluator& evaluator, const ast::File& file, const ast::Statement& block,

@@ -29,7 +29,9 @@ void Evaluator::execute_property(const ast::File& file, const ast::Statement& st
     } else if (vocabulary.is_block(statement.word)) {
         report_.error(Message::property_is_block, file.span(statement), word);
     } else {
-        Diagnostic* error = report_.error(Message::property_outside, file.span(statement), word);
+        const bool known = vocabulary.is_property(statement.word);
+        Diagnostic* error = report_.error(known ? Message::property_outside : Message::unknown_word,
+                                          file.span(statement), word);
         if (error == nullptr) return;
         Suggestion suggestion(word);
         for (const BlockWord& block : vocabulary.blocks()) suggestion.consider(block.info->keyword);
@@ -99,7 +101,7 @@ void Evaluator::execute_block(const ast::File& file, const ast::Statement& state
         report_.error(Message::block_name_missing, place, word->info->keyword);
     if (!named && word->kind == no_symbol && statement.name != no_symbol)
         report_.error(Message::block_takes_no_name, file.name_span(statement),
-                      "a " + std::string(word->info->keyword));
+                      with_article(std::string(word->info->keyword)));
     BlockReader reader(*this, file, statement, *word);
     std::uint32_t result = none;
     maker_of (*word->info)(reader, result);

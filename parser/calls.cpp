@@ -9,11 +9,14 @@
 namespace lancer {
 namespace {
 
-/// What tells whether two paths name the same file. Links are not followed.
-std::string identity(const std::string& path) {
+/// Without `.` and `..`, unless that would lead elsewhere: `..` after a link to a folder is that
+/// folder's parent.
+std::string tidied(const std::filesystem::path& path) {
+    const std::filesystem::path tidy = path.lexically_normal();
     std::error_code ignored;
-    const auto absolute = std::filesystem::absolute(path, ignored);
-    return (ignored ? std::filesystem::path(path) : absolute).lexically_normal().string();
+    const bool elsewhere =
+        std::filesystem::exists(path, ignored) && !std::filesystem::equivalent(path, tidy, ignored);
+    return (elsewhere ? path : tidy).string();
 }
 
 std::string count_of(std::size_t count) {
@@ -169,11 +172,18 @@ void Evaluator::execute_call(const ast::File& file, const ast::Statement& statem
     group_ = none;
 }
 
+std::string Evaluator::identity(const std::string& path) {
+    std::error_code error;
+    const auto absolute = std::filesystem::absolute(path, error);
+    const auto followed = std::filesystem::weakly_canonical(absolute, error);
+    return (error ? absolute.lexically_normal() : followed).string();
+}
+
 std::string Evaluator::resolve_path(const ast::File& file, std::string_view path) const {
     const std::filesystem::path given(path);
     const std::string& script = sources_.name(file.source);
-    if (given.is_absolute() || script == "-") return given.lexically_normal().string();
-    return (std::filesystem::path(script).parent_path() / given).lexically_normal().string();
+    if (given.is_absolute() || script == "-") return tidied(given);
+    return tidied(std::filesystem::path(script).parent_path() / given);
 }
 
 ast::File* Evaluator::load_script(const std::string& path, const SourceSpan& place,

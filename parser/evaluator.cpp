@@ -1,7 +1,5 @@
 #include "parser/evaluator.h"
 
-#include <filesystem>
-
 #include "parser/suggest.h"
 #include "parser/syntax.h"
 
@@ -25,9 +23,7 @@ Evaluator::Evaluator(Program& program, const Definitions& definitions, const Lim
         constants_[program_.symbols.intern(constant.name)] = constant.value;
     constants_[program_.symbols.intern("frame")] = definitions.frame.value_or(0);
     constants_[program_.symbols.intern("time")] = definitions.time.value_or(0);
-    std::error_code ignored;
-    including_.push_back(
-        std::filesystem::absolute(sources.name(program.main.source), ignored).lexically_normal());
+    including_.push_back(identity(sources.name(program.main.source)));
     meter_.source(sources.text(program.main.source).size(), {program.main.source, 0, 0});
 }
 

@@ -133,6 +133,8 @@ class Evaluator {
     ast::File* load_script(const std::string& path, const SourceSpan& place,
                            const SourceSpan& statement);
     void enter_call(const SourceSpan& place, std::string_view name);
+    /// What tells whether two paths name the same file: absolute, with links followed.
+    static std::string identity(const std::string& path);
 
     // expressions.cpp
     void push_name(const ast::File& file, const ast::Step& step);

@@ -91,13 +91,14 @@ namespace lancer {
     M(unknown_light,          "there is no light '{}'") \
     M(light_without_kind,     "a light is point, directional or spot") \
     M(unknown_property,       "'{}' is not a property of {}") \
+    M(unknown_word,           "there is no statement '{}'") \
     M(property_outside,       "'{}' is a property and stands in a block, not in a file or template") \
     M(property_is_block,      "'{}' is a block: '{{' is missing") \
     M(block_is_property,      "'{}' is a property and takes a value, not a block") \
     M(block_misplaced,        "'{}' cannot stand in {}") \
     M(statement_misplaced,    "'{}' cannot stand in {}, which holds properties only") \
     M(given_twice,            "'{}' is given twice") \
-    M(property_missing,       "{} needs '{}'") \
+    M(property_missing,       "{} needs {}") \
     M(property_takes,         "'{}' takes {}, not {}") \
     M(block_name_missing,     "this {} needs a name") \
     M(block_takes_no_name,    "{} takes no name") \

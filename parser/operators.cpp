@@ -47,7 +47,8 @@ std::string_view symbol_of(Op op) {
 /// The remainder with the sign of b.
 double modulo(double a, double b) {
     const double r = std::fmod(a, b);
-    return r != 0 && (r < 0) != (b < 0) ? r + b : r;
+    if (r == 0) return std::copysign(0.0, b);
+    return (r < 0) != (b < 0) ? r + b : r;
 }
 
 /// One component; sets `wrong` after reporting why there is no result.

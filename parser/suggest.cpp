@@ -9,9 +9,9 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// A third of the letters may be wrong; of a word of one or two, none but its case.
+/// A third of the letters may be wrong; of a single one, none but its case.
 std::size_t most_mistakes(std::size_t length) {
-    return length < 3 ? 0 : (length + 2) / 4 + 1;
+    return (length + 1) / 3;
 }
 
 constexpr std::size_t longest_word = 64;

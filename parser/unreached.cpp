@@ -45,6 +45,9 @@ void Evaluator::check_unreached(const ast::File& file) {
     // The properties of a block that was executed were read with it.
     for (std::uint32_t i = 0; i < file.statements.size(); ++i) {
         const ast::Statement& statement = file.statements[i];
+        // What stands at file level was reached.
+        if (!executed[i] && statement.kind == Kind::param)
+            report_.error(Message::param_not_at_top, file.span(statement));
         const bool holds_properties =
             statement.kind == Kind::block && statement.word != vocabulary.group;
         if (!holds_properties) continue;

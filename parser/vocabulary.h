@@ -51,6 +51,8 @@ class Vocabulary {
     bool takes_word(Symbol property) const {
         return any_.knows(property) && !any_.field(any_.index(property)).words.empty();
     }
+    /// Whether some block has a property of this name.
+    bool is_property(Symbol word) const { return any_.knows(word); }
     const std::vector<BlockWord>& blocks() const { return blocks_; }
 
     Symbol light, group, material, texture;

@@ -45,6 +45,10 @@ TEST(Commands, WrongUseIsTwo) {
         EXPECT_EQ(place.run({command}).code, 2) << command;
         EXPECT_EQ(place.run({command, "--bogus"}).code, 2) << command;
     }
+    EXPECT_THAT(place.run({"render", "a.lancer", "--siz", "8x8"}).err,
+                HasSubstr("'render' has no option '--siz': did you mean '--size'?"));
+    EXPECT_THAT(place.run({"render", "a.lancer", "b.lancer"}).err,
+                HasSubstr("'b.lancer' is one argument too many"));
 }
 
 TEST(Commands, AFileThatCannotBeReadIsFour) {
@@ -107,6 +111,25 @@ TEST(Commands, CheckReadsAllScenesAndTellsTheWorst) {
     EXPECT_THAT(place.files(), ElementsAre("bad.lancer", "good.lancer"));
 }
 
+TEST(Commands, AFileIsOneWhateverLinkNamesIt) {
+    const Workplace place;
+    place.write("a.lancer", "let a = 1");
+    std::filesystem::create_symlink("a.lancer", place.path("b.lancer"));
+    place.write("twice.lancer", "include \"a.lancer\" include \"b.lancer\" print a");
+    EXPECT_EQ(place.run({"check", "twice.lancer"}).code, 0);
+    // A folder that holds itself has a new path for each round of a cycle.
+    std::filesystem::create_symlink(".", place.path("here"));
+    place.write("cycle.lancer", "include \"here/cycle.lancer\"");
+    EXPECT_THAT(place.run({"check", "cycle.lancer"}).err,
+                HasSubstr("cycle: cycle.lancer -> cycle.lancer"));
+    // The parent of a linked folder is where that folder is.
+    std::filesystem::create_directories(place.path("far/away"));
+    place.write("far/b.lancer", "print \"the far one\"");
+    std::filesystem::create_symlink("far/away", place.path("near"));
+    place.write("up.lancer", "include \"near/../b.lancer\"");
+    EXPECT_THAT(place.run({"check", "up.lancer"}).err, HasSubstr("the far one"));
+}
+
 TEST(Commands, ALimitCanBeRaised) {
     const Workplace place;
     const std::string scene =
@@ -153,6 +176,11 @@ TEST(Commands, CompareTellsEqualFromDifferent) {
     EXPECT_TRUE(place.exists("heat.png"));
     EXPECT_EQ(place.run({"compare", "a.png", "b.png", "--fail", "2"}).code, 0);
     EXPECT_EQ(place.run({"compare", "a.png", "b.png", "-o", "nowhere/heat.png"}).code, 4);
+    const std::string picture = place.read("a.png");
+    EXPECT_EQ(place.run({"compare", "a.png", "b.png", "-o", "a.png"}).code, 2);
+    EXPECT_EQ(place.read("a.png"), picture);
+    const Finished json = place.run({"compare", "a.png", "b.png", "--json", "-"});
+    EXPECT_EQ(nlohmann::json::parse(json.out).at("verdict"), "fail");
 }
 
 }  // namespace

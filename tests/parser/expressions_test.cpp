@@ -63,6 +63,7 @@ TEST(Expressions, RemainderHasTheSignOfItsRightSide) {
     EXPECT_EQ(value_of("-7 % 3"), "2");
     EXPECT_EQ(value_of("7 % -3"), "-2");
     EXPECT_EQ(value_of("-7 % -3"), "-1");
+    EXPECT_EQ(value_of("-6 % 3"), "0");
 }
 
 TEST(Expressions, RoundTakesHalvesAwayFromZero) {
