@@ -10,6 +10,7 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/output_names.h"
 #include "model/io/file.h"
 #include "model/io/image_file.h"
 #include "reference/compare/comparison_text.h"
@@ -71,13 +72,20 @@ ExitCode compare(const CompareJob& job) {
         throw UsageError(
             fmt::format("'{}' does not end in the name of an image format, as .png", job.heat_map));
     }
+    check_spared(job.heat_map, {job.a, job.b});
+    check_spared(job.json, {job.a, job.b, job.heat_map});
     const Image a = io::read_image(job.a);
     const Image b = io::read_image(job.b);
     const reference::CompareOptions options = options_of(job);
     const reference::Comparison comparison = reference::compare_images(a, b, options);
-    if (!job.json.empty()) io::write_file(job.json, reference::to_json(comparison, options));
+    const std::string json = reference::to_json(comparison, options);
+    if (job.json == "-") {
+        fmt::print("{}", json);
+    } else if (!job.json.empty()) {
+        io::write_file(job.json, json);
+    }
     if (!job.heat_map.empty() && comparison.comparable) write_heat_map(job, a, b);
-    if (!job.quiet) fmt::print("{}", reference::to_text(comparison, options));
+    if (!job.quiet && job.json != "-") fmt::print("{}", reference::to_text(comparison, options));
     return comparison.pass ? ExitCode::done : ExitCode::differs;
 }
 
@@ -99,7 +107,10 @@ void add_compare(CLI::App& app, Action& action) {
     add_number(command, "--fail-percent", job->fail_percent, 0, 100,
                "More than P percent of the pixels over: the pictures differ (default 0)")
         ->type_name("P");
-    command.add_option("--json", job->json, "Write the measures as JSON")->type_name("FILE");
+    command
+        .add_option("--json", job->json,
+                    "Write the measures as JSON; - to standard output, in place of the text")
+        ->type_name("FILE");
     command.add_option("--report", job->report, "Two folders: write DIR/index.html, to look at")
         ->type_name("DIR");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");

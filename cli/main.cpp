@@ -1,10 +1,12 @@
 // The command line. Everything that can go wrong ends here, as a message and an exit code.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <new>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/session.h"
+#include "parser/suggest.h"
 
 namespace lancer::cli {
 namespace {
@@ -21,6 +23,25 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
     throw UsageError(
         (word.empty() ? "a command is missing" : "there is no command '" + word + "'") +
         ": expected one of " + names);
+}
+
+/// About the first argument that the command has no use for.
+std::string unexpected_argument(const CLI::App& app, const std::string& otherwise) {
+    for (const CLI::App* command : app.get_subcommands()) {
+        const std::vector<std::string> rest = command->remaining();
+        if (rest.empty()) continue;
+        // What follows an unknown option may have been meant as its value.
+        const auto option = std::ranges::find_if(
+            rest, [](const std::string& argument) { return argument.starts_with("-"); });
+        if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
+        const std::string& word = *option;
+        Suggestion suggestion(word);
+        for (const CLI::Option* known : command->get_options())
+            for (const std::string& name : known->get_lnames()) suggestion.consider("--" + name);
+        return "'" + command->get_name() + "' has no option '" + word + "'" +
+               (suggestion.empty() ? "" : ": " + suggestion.hint());
+    }
+    return otherwise;
 }
 
 ExitCode parse_and_run(int argc, char** argv, Session& session) {
@@ -45,6 +66,8 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
     } catch (const CLI::Success& help) {
         app.exit(help);  // prints what was asked for
         return ExitCode::done;
+    } catch (const CLI::ExtrasError& error) {
+        throw UsageError(unexpected_argument(app, error.what()));
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }

@@ -8,6 +8,7 @@
 
 #include "cli/session.h"
 #include "model/diagnostic.h"
+#include "model/io/file.h"
 #include "model/io/temporary_file.h"
 
 namespace lancer::cli {
@@ -24,10 +25,24 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
+bool is_same_file(const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty() || a == "-" || b == "-" || io::is_stream(a)) return false;
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(a, ignored) ==
+           std::filesystem::weakly_canonical(b, ignored);
+}
+
+void check_spared(const std::string& output, const std::vector<std::string>& others) {
+    for (const std::string& other : others)
+        if (is_same_file(output, other))
+            throw UsageError(fmt::format("'{}' would be written over '{}'", output, other));
+}
+
 void check_writable(const std::string& path) {
+    std::error_code ignored;
+    if (io::is_stream(path) && std::filesystem::exists(path, ignored)) return;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     const std::string where = folder.empty() ? "." : folder.string();
-    std::error_code ignored;
     if (!std::filesystem::is_directory(where, ignored))
         throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", path, where));
     const io::TemporaryFile trial(where, ending_of(path), path);

@@ -19,8 +19,12 @@ void add_not_yet(CLI::App& app, const std::string& name, const std::string& type
 
 void add_output_options(CLI::App& app, RenderJob& job) {
     const char* group = "Output";
-    app.add_option(
-           "-o,--output", job.output,
+    app.add_option_function<std::string>(
+           "-o,--output",
+           [&job](const std::string& name) {
+               if (name.empty()) throw UsageError("-o: the name of the picture is empty");
+               job.output = name;
+           },
            "Picture: .png .exr .hdr .tif .tiff .jpg .jpeg .ppm; the scene's name with .png in "
            "the current folder by default")
         ->type_name("OUT")

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/memory_bound.h"
 #include "cli/output_names.h"
@@ -17,6 +18,9 @@ namespace {
 
 /// What can be said of the output's name before any work.
 void check_format(const RenderJob& job, const std::string& output) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(output, ignored))
+        throw FileError(fmt::format("cannot write '{}': it is a folder", output));
     if (!io::is_writable_image_name(output)) {
         throw UsageError(fmt::format(
             "'{}': the name of a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm",
@@ -71,6 +75,7 @@ class Rendering {
     void render(double frame, double time, const std::string& output) {
         progress_.clear();  // the script may print
         Scene scene = loader_.load(frame, time);
+        for (const SceneImage& image : scene.images) check_spared(output, {image.path});
         job_.settings.apply_to(scene.settings);
         const View view = view_of(job_, scene, session_);
         if (statistics_.frames == 0) session_.terminal.show(missing_parts(scene), session_.sources);
@@ -108,7 +113,7 @@ class Rendering {
         } else if (!job_.statistics.empty()) {
             io::write_file(job_.statistics, to_json(statistics_));
         }
-        if (!job_.quiet)
+        if (!job_.quiet && !io::is_stream(job_.output))  // which may be where this would go
             fmt::print("{} ({}x{}) in {:.2f} s\n", what, width_, height_, statistics_.total);
     }
 
@@ -132,6 +137,8 @@ class Rendering {
 ExitCode run(const RenderJob& job, Session& session) {
     const std::string output = job.output.empty() ? default_output(job.scene) : job.output;
     check_format(job, output);
+    check_spared(output, {job.scene});
+    check_spared(job.statistics, {job.scene, output});
     check_writable(output);
     if (!job.statistics.empty() && job.statistics != "-") check_writable(job.statistics);
 

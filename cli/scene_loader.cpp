@@ -19,6 +19,12 @@ std::size_t most_bytes_read(const Limits& limits) {
     return static_cast<std::size_t>(std::max(least, limits.source_bytes + 1));
 }
 
+std::string without_blanks(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return "";
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 void add_limit(CLI::App& app, const std::string& name, std::uint64_t& target, std::int64_t most,
                const std::string& what) {
     app.add_option_function<std::string>(
@@ -43,13 +49,15 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
            "-D",
            [&options](const std::vector<std::string>& texts) {
                for (const std::string& text : texts) {
-                   const std::size_t equals = text.find('=');
-                   if (equals == std::string::npos || equals == 0) {
+                   const std::size_t equals = std::min(text.find('='), text.size());
+                   const std::string name = without_blanks(text.substr(0, equals));
+                   const std::string value =
+                       without_blanks(text.substr(std::min(equals + 1, text.size())));
+                   if (name.empty() || value.empty()) {
                        throw UsageError(
                            fmt::format("-D '{}': expected name=value, as in -D level=5", text));
                    }
-                   options.definitions.emplace_back(text.substr(0, equals),
-                                                    text.substr(equals + 1));
+                   options.definitions.emplace_back(name, value);
                }
            },
            "Give a param of the script another value; may stand several times")
@@ -94,8 +102,11 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     // wrong only because its param could not be read.
     if (!evaluation.usage_errors.empty() && syntax_errors_.empty()) {
         const Diagnostic& first = evaluation.usage_errors.front();
-        throw UsageError(first.hint.empty() ? first.message
-                                            : fmt::format("{}: {}", first.message, first.hint));
+        // The text of `-D name=value` is a source of its own, called `-D name`.
+        const bool in_value = first.where.file != SourceSpan::nowhere;
+        throw UsageError(fmt::format("{}{}{}{}",
+                                     in_value ? session_.sources.name(first.where.file) + ": " : "",
+                                     first.message, first.hint.empty() ? "" : ": ", first.hint));
     }
     show_new(std::move(found));
     return std::move(evaluation.scene);

@@ -47,7 +47,8 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
                      "Levels of recursion; 1: primary rays only")
         ->type_name("N")
         ->group(group);
-    add_number(app, "--min-contribution", options.min_contribution, 0, 1,
+    add_number(app, "--min-contribution", options.min_contribution, 0,
+               std::numeric_limits<double>::max(),
                "A branch whose weight falls below it is not followed; 0: all are")
         ->type_name("X")
         ->group(group);

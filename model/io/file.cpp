@@ -55,15 +55,6 @@ std::string follow_links(std::string path) {
     throw system_error("cannot write", path, ELOOP);
 }
 
-/// Devices and pipes cannot be replaced, and what stands for an open file of this process (such as
-/// /dev/stdout) must not be.
-bool is_written_in_place(const std::string& path) {
-    const std::string_view name = path;
-    if (name.starts_with("/dev/") || name.starts_with("/proc/")) return true;
-    struct stat status {};
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-}
-
 void append_to(const std::string& path, std::string_view bytes) {
     const Descriptor file(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
     if (file.number() < 0) throw system_error("cannot write", path, errno);
@@ -76,6 +67,14 @@ void append_to(const std::string& path, std::string_view bytes) {
 }
 
 }  // namespace
+
+bool is_stream(const std::string& path) {
+    const std::string_view name = path;
+    if (name.starts_with("/dev/std") || name.starts_with("/dev/fd/")) return true;
+    if (name.starts_with("/proc/") && name.find("/fd/") != std::string_view::npos) return true;
+    struct stat status {};
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
 
 std::string read_file(const std::string& path, std::size_t limit) {
     const bool standard_input = path == "-";
@@ -115,7 +114,7 @@ void write_atomically(const std::string& path,
     if (path.back() == '/' || (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))) {
         throw system_error("cannot write", path, EISDIR);
     }
-    if (is_written_in_place(path)) {
+    if (is_stream(path)) {
         const TemporaryFile temporary(std::filesystem::temp_directory_path().string(),
                                       ending_of(path), path);
         write(temporary.name());
@@ -129,7 +128,7 @@ void write_atomically(const std::string& path,
 }
 
 void write_file(const std::string& path, const std::string& bytes) {
-    if (is_written_in_place(path)) {
+    if (is_stream(path)) {
         append_to(path, bytes);
         return;
     }

@@ -10,6 +10,10 @@ namespace lancer::io {
 /// cannot be read, is a directory, or is longer than `limit` bytes.
 std::string read_file(const std::string& path, std::size_t limit = std::size_t(1) << 40);
 
+/// Whether what is written to `path` goes into it instead of taking its place: a device or a pipe,
+/// which cannot be replaced, or the name of an open file such as /dev/stdout, which must not be.
+bool is_stream(const std::string& path);
+
 /// Runs `write(temporary)` with a temporary name in the folder of `path`, then renames it to `path`
 /// with the access rights an ordinary new file has. On any exception the temporary file is removed
 /// and `path` keeps what it held. Throws FileError when the folder is missing or not writable.

@@ -33,6 +33,12 @@ std::string format_of_ending(const std::string& ending) {
     return {};
 }
 
+/// The format to write: by the ending of the name; PNG for a device or pipe that has none.
+std::string format_of_name(const std::string& path) {
+    const std::string format = format_of_ending(lower_case_ending(path));
+    return format.empty() && is_stream(path) ? "png" : format;
+}
+
 /// The format of a file by its first bytes, whatever it is called; empty: none we read.
 std::string format_of_bytes(std::string_view bytes) {
     using namespace std::string_view_literals;
@@ -111,14 +117,14 @@ Image decoded(StoredImage stored, ColorSpace space) {
 }  // namespace
 
 bool is_writable_image_name(const std::string& path) {
-    return !format_of_ending(lower_case_ending(path)).empty();
+    return !format_of_name(path).empty();
 }
 
 void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options) {
     if (image.width < 1 || image.height < 1 || image.channels < 1) {
         throw FileError(fmt::format("cannot write '{}': the picture has no pixels", path));
     }
-    const std::string format = format_of_ending(lower_case_ending(path));
+    const std::string format = format_of_name(path);
     if (format == "png") {
         write_file(path, encode_png(image, options, path));
     } else if (format == "ppm") {

@@ -13,13 +13,14 @@ struct ImageWriteOptions {
     bool linear = false;  ///< whole-number formats: no sRGB curve
 };
 
-/// True when `path` ends in a format that can be written: png exr hdr tif tiff jpg jpeg ppm.
+/// True when `path` ends in a format that can be written: png exr hdr tif tiff jpg jpeg ppm; or is
+/// a device or pipe, which gets a PNG without one.
 bool is_writable_image_name(const std::string& path);
 
-/// Writes `image` atomically, in the format of the ending. EXR: 32-bit float with all channels,
-/// colours multiplied by alpha as is usual there. HDR and JPEG (8 bits): without alpha. Extra
-/// channels are left out but in EXR. NaN becomes 0 and what a format cannot hold its nearest value;
-/// EXR keeps both as they are. The same picture gives the same bytes. Throws FileError.
+/// Writes `image` atomically, in the format that the name asks for. EXR: 32-bit float with all
+/// channels, colours multiplied by alpha as is usual there. HDR and JPEG (8 bits): without alpha.
+/// Extra channels are left out but in EXR. NaN becomes 0 and what a format cannot hold its nearest
+/// value; EXR keeps both as they are. The same picture gives the same bytes. Throws FileError.
 void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options);
 
 enum class ColorSpace {

@@ -106,6 +106,36 @@ TEST_F(Render, TheCommandLineDefinesParams) {
     EXPECT_THAT(unknown.err, HasSubstr("'size'"));
     EXPECT_EQ(render({"-D", "size=1/0"}).code, 2);
     EXPECT_EQ(render({"-D", "size"}).code, 2);
+    EXPECT_EQ(render({"-D", "size="}).code, 2);
+    EXPECT_EQ(render({"-D", " size = 0.2 "}).code, 0);
+    EXPECT_THAT(render({"-D", "size=sise"}).err, HasSubstr("-D size: 'sise' is not defined"));
+}
+
+TEST_F(Render, NoOutputIsWrittenOverWhatIsReadOrOverAnother) {
+    const std::string scene = place_.read("a.lancer");
+    EXPECT_EQ(render({"--stats", "a.lancer"}).code, 2);
+    EXPECT_EQ(render({"--stats", "./a.lancer"}).code, 2);
+    EXPECT_EQ(render({"-o", "b.png", "--stats", "b.png"}).code, 2);
+    EXPECT_THAT(place_.files(), ElementsAre("a.lancer"));
+    EXPECT_EQ(place_.read("a.lancer"), scene);
+
+    ASSERT_EQ(render({}).code, 0);
+    const std::string picture = place_.read("a.png");
+    place_.write("a.lancer", scene + "texture t { image \"a.png\" }\n");
+    const Finished finished = render({});  // to a.png, by default
+    EXPECT_EQ(finished.code, 2);
+    EXPECT_THAT(finished.err, HasSubstr("'a.png' would be written over 'a.png'"));
+    EXPECT_EQ(place_.read("a.png"), picture);
+}
+
+TEST_F(Render, ADeviceNeedsNoEndingAndGetsAPng) {
+    EXPECT_THAT(render({"-o", "/dev/stdout"}).out,
+                AllOf(testing::StartsWith("\x89PNG"), testing::EndsWith("IEND\xAE\x42\x60\x82")));
+    EXPECT_EQ(render({"-o", "/dev/null"}).code, 0);
+    EXPECT_EQ(render({"-o", "/dev/full"}).code, 4);
+    EXPECT_EQ(render({"-o", "."}).code, 4);
+    EXPECT_EQ(render({"-o", ""}).code, 2);
+    EXPECT_EQ(render({"-o", "picture"}).code, 2);
 }
 
 TEST_F(Render, StatisticsHaveTheirKeys) {

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "model/io/temporary_file.h"
@@ -133,6 +135,19 @@ TEST(WriteFile, WritesIntoDevicesAndPipesInsteadOfReplacingThem) {
     EXPECT_STREQ(text, "abc");
     fclose(reader);
     EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+}
+
+TEST(WriteFile, AnOrdinaryFileBelowDevIsReplacedLikeAnyOther) {
+    if (!std::filesystem::is_directory("/dev/shm")) GTEST_SKIP() << "no /dev/shm";
+    const std::string path = "/dev/shm/lancer-file-test-" + std::to_string(getpid());
+    write_file(path, "a longer text");
+    write_file(path, "short");
+    EXPECT_EQ(read_file(path), "short");
+    EXPECT_FALSE(is_stream(path));
+    std::filesystem::remove(path);
+    EXPECT_TRUE(is_stream("/dev/stdout"));
+    EXPECT_TRUE(is_stream("/dev/null"));
+    EXPECT_FALSE(is_stream("/dev"));
 }
 
 TEST(TemporaryFile, IsRemovedWhenASignalHandlerAsks) {
