@@ -2,10 +2,11 @@
 """What accuracy costs: writes the table in docs/performance.md.
 
     cmake --preset release -DBUILD_TESTING=ON && cmake --build build/release --target bench_kernels
-    tests/bench/kernels/kernels.py [BENCH_KERNELS]
+    tests/bench/kernels/kernels.py [--times] [BENCH_KERNELS]
 
 Times come from interleaved runs of one process; instructions from valgrind --tool=callgrind, as the
 difference of a picture of 96 x 72 pixels and one of 8 x 6, so that loading and compiling drop out.
+With --times they are left out.
 """
 import json
 import os
@@ -42,21 +43,25 @@ def instructions(bench, kernels, scene):
     return run(96) - run(8)
 
 
-def row(bench, times, what, kernels, scene):
-    own, other = instructions(bench, "own", scene), instructions(bench, kernels, scene)
+def row(bench, times, count, what, kernels, scene):
+    counted = " | | "
+    if count:
+        own, other = instructions(bench, "own", scene), instructions(bench, kernels, scene)
+        counted = f"{own / 1e6:.1f} | {other / 1e6:.1f} | {own / other:.2f}"
     measured = times[scene][kernels]
-    return (f"| {what} | {scene} | {own / 1e6:.1f} | {other / 1e6:.1f} | {own / other:.2f} | "
-            f"{measured['ratio']:.2f} | {100 * measured['different']:.2f} % |\n")
+    return (f"| {what} | {scene} | {measured['ratio']:.2f} | {100 * measured['different']:.2f} % | {counted} |\n")
 
 
 def main():
-    bench = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build/release/bin/bench_kernels"))
+    named = [a for a in sys.argv[1:] if a != "--times"]
+    count = "--times" not in sys.argv
+    bench = os.path.abspath(named[0] if named else os.path.join(ROOT, "build/release/bin/bench_kernels"))
     times = json.loads(subprocess.run([bench], capture_output=True, text=True, check=True).stdout)
-    head = ("| {} | scene | million instructions | with textbook's | ratio | time ratio | pixels that differ |\n"
+    head = ("| {} | scene | time ratio | pixels that differ | million instructions | with textbook's | ratio |\n"
             "|---|---|---|---|---|---|---|\n")
-    table = head.format("method") + "".join(row(bench, times, *method) for method in METHODS)
+    table = head.format("method") + "".join(row(bench, times, count, *method) for method in METHODS)
     table += "\n" + head.format("all together")
-    table += "".join(row(bench, times, "all", "all", scene) for scene in SCENES)
+    table += "".join(row(bench, times, count, "all", "all", scene) for scene in SCENES)
     with open(PAGE) as file:
         page = file.read()
     before, rest = page.split(BEGIN)
