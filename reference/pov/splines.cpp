@@ -41,6 +41,24 @@ std::vector<Segment> segments(Spline spline, std::size_t count, const Point& poi
     return out;
 }
 
+/// The same curve in twice as many pieces, which keeps its parameter's meaning: POV-Ray solves an
+/// equation of the sixth degree for each piece of a lathe, and solves that of a shorter one better
+/// (docs/export.md). Halving after de Casteljau.
+std::vector<Segment> halved(const std::vector<Segment>& curve) {
+    std::vector<Segment> out;
+    for (const Segment& s : curve) {
+        const Vec2d ab = (s[0] + s[1]) / 2.0;
+        const Vec2d bc = (s[1] + s[2]) / 2.0;
+        const Vec2d cd = (s[2] + s[3]) / 2.0;
+        const Vec2d abc = (ab + bc) / 2.0;
+        const Vec2d bcd = (bc + cd) / 2.0;
+        const Vec2d middle = (abc + bcd) / 2.0;
+        out.push_back({s[0], ab, abc, middle});
+        out.push_back({middle, bcd, cd, s[3]});
+    }
+    return out;
+}
+
 void write_points(Text& text, const std::string& head, const std::vector<Vec2d>& points,
                   std::size_t per_line) {
     text.open(head);
@@ -73,10 +91,10 @@ bool open_lathe(Writer& writer, const Lathe& lathe, PowerOfTen own) {
             for (const Vec2d& q : p) points.push_back(own(q));
             break;
         case Spline::bezier:
-            points = flattened(segments(lathe.spline, (p.size() - 1) / 3, point), own);
+            points = flattened(halved(segments(lathe.spline, (p.size() - 1) / 3, point)), own);
             break;
         case Spline::bspline:
-            points = flattened(segments(lathe.spline, p.size() - 3, point), own);
+            points = flattened(halved(segments(lathe.spline, p.size() - 3, point)), own);
             break;
     }
     write_points(writer.text, fmt::format("lathe {{ {} {},", spline, points.size()), points, 4);
