@@ -110,9 +110,13 @@ Contact<Real> met_at_once(const World<Real>& world, const Ray<Real>& ray, const 
     const Ray<Real> local =
         primitive.frame == none ? ray : to_local(ray, world.frames[primitive.frame]);
     const Vec3<Real> start = local.origin + local.origin_lo;
-    // The start's own bound, and one of the crossings computed from it.
-    const Real reach = 4 * local.origin_error + gamma<Real>(16) * max_component(absolute(start));
     const OrientedFace<Real> from(mesh, left.face);
+    // The start's bound is of its distance from the face; along it, and in the crossings computed
+    // from it, rounding goes by the sizes of the face and of the coordinates.
+    const Real size = max_component(absolute(from.triangle.b - from.triangle.a)) +
+                      max_component(absolute(from.triangle.c - from.triangle.a));
+    const Real reach =
+        4 * local.origin_error + gamma<Real>(16) * (max_component(absolute(start)) + size);
     if (!is_near_edge(from.triangle, start, reach)) return met;
     const bool inside = contains(bodies, left.primitive);
     Real steepest = 0;
