@@ -87,10 +87,13 @@ Vec3<Real> absolute(const Vec3<Real>& v) {
     return {abs(v.x), abs(v.y), abs(v.z)};
 }
 
-/// v / |v| for a vector of any length but 0.
+/// v / |v| for a vector of any length but 0; v itself where that is 1 but for its own rounding.
 template <class Real>
 Vec3<Real> unit(const Vec3<Real>& v) {
-    if (is_sound_square(length_squared(v))) return normalize(v);
+    using std::abs;
+    const Real square = length_squared(v);
+    if (abs(square - 1) <= 4 * std::numeric_limits<Real>::epsilon()) return v;
+    if (is_sound_square(square)) return normalize(v);
     return normalize(v / max_component(absolute(v)));
 }
 

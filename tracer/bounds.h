@@ -26,6 +26,12 @@ struct Bounds {
             if (b.max[i] > max[i]) max[i] = b.max[i];
         }
     }
+    /// The largest size of a coordinate.
+    Real reach() const {
+        const Real low = max_component(absolute(min));
+        const Real high = max_component(absolute(max));
+        return low > high ? low : high;
+    }
     bool contains(const Vec3<Real>& p) const {
         return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z &&
                p.z <= max.z;

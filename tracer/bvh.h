@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tracer/bounds.h"
-#include "tracer/four.h"
+#include "tracer/lanes.h"
 #include "tracer/ray.h"
 
 namespace lancer {
@@ -44,39 +44,32 @@ inline constexpr int bvh_sah_levels = 64;
 inline constexpr int bvh_stack_size = 3 * (bvh_sah_levels + 32) + 4;
 
 /// A ray as the tests of one pair of a box's planes see it.
+///
+/// The start is hi + lo, the tests take hi alone. As |lo| <= u |hi|, that is within what the box is
+/// `widened` by next to the plane, and far from the plane lo changes the distance by 2 u of itself.
 template <class Real>
 struct SlabRay {
-    Real enter;  ///< the origin for the plane that the ray goes in by
-    Real leave;  ///< and for the one that it goes out by
+    Real origin;
     Real inv_dir;
     bool negative;  ///< the direction's sign
-};
 
-/// The start is hi + lo, the tests take one number. Where lo matters, 2 lo is added towards what
-/// keeps the box: nearer to the planes ahead, farther from those behind. Where that sum rounds to
-/// hi, |lo| <= u |hi|, and it may be left out: next to the plane the box is wider than that by
-/// `widened`, and far from it lo changes the distance by 2 u of itself.
-template <class Real>
-SlabRay<Real> slab_ray(const Ray<Real>& ray, int axis) {
-    using std::abs;
-    const Real inv = ray.inv_dir[axis];
-    const bool negative = signbit(inv);
-    const Real low = 2 * abs(ray.origin_lo[axis]);
-    const Real ahead = negative ? -low : low;
-    return {ray.origin[axis] + ahead, ray.origin[axis] - ahead, inv, negative};
-}
+    SlabRay(const Ray<Real>& ray, int axis)
+        : origin(ray.origin[axis]), inv_dir(ray.inv_dir[axis]), negative(signbit(inv_dir)) {}
+};
 
 /// Cuts the parameters between `near` and `far` down to those between the planes of each of the
 /// four boxes that are perpendicular to `axis`. NaN (0 times infinity, a ray in a face of the box)
 /// loses every comparison and keeps the box.
 template <class Real>
-void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis, const SlabRay<Real>& ray,
-                  Four<Real>& near, Four<Real>& far) {
+[[gnu::always_inline]] inline void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis,
+                                                const SlabRay<Real>& ray, Four<Real>& near,
+                                                Four<Real>& far) {
     const Four<Real> enter(ray.negative ? node.max[axis] : node.min[axis]);
     const Four<Real> leave(ray.negative ? node.min[axis] : node.max[axis]);
+    const Four<Real> origin(ray.origin);
     const Four<Real> inv(ray.inv_dir);
-    near = larger((enter - Four<Real>(ray.enter)) * inv, near);
-    far = smaller((leave - Four<Real>(ray.leave)) * inv, far);
+    near = larger((enter - origin) * inv, near);
+    far = smaller((leave - origin) * inv, far);
 }
 
 /// Far distances are multiplied by it, after the minimum, which it commutes with: Ize, "Robust BVH
@@ -100,9 +93,9 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
     std::array<Waiting, bvh_stack_size> stack;
     int top = 0;
     stack[0] = {0, 0, t_min};
-    const SlabRay<Real> x = slab_ray(ray, 0);
-    const SlabRay<Real> y = slab_ray(ray, 1);
-    const SlabRay<Real> z = slab_ray(ray, 2);
+    const SlabRay<Real> x(ray, 0);
+    const SlabRay<Real> y(ray, 1);
+    const SlabRay<Real> z(ray, 2);
     while (top >= 0) {
         const Waiting item = stack[static_cast<std::size_t>(top--)];
         if (item.near > limit()) continue;

@@ -81,7 +81,7 @@ Ray<Real> camera_ray(const Lens<Real>& lens, Real sx, Real sy) {
     const Vec3<Real> dir = lens.orthographic ? lens.forward : normalize(lens.forward + aside);
     VectorSum<Real> origin =
         two_sum(lens.origin.hi, lens.orthographic ? aside : aside * lens.ahead);
-    origin.lo += lens.origin.lo;
+    origin = normalized(origin.hi, origin.lo + lens.origin.lo);
     return make_ray(origin.hi, origin.lo, dir, Real(0));
 }
 

@@ -155,6 +155,7 @@ class Compiler {
             // matters.
             p.body = (has_matter || !std::holds_alternative<MeshRef>(object.shape)) &&
                      is_body(scene_, object.shape);
+            p.convex = is_convex(p.solid);
             p.medium = p.body && has_matter;
             const auto* mesh = std::get_if<MeshInstance<Real>>(&p.solid);
             world_->has_smooth_media |= p.medium && mesh != nullptr && mesh->smooth;

@@ -112,7 +112,8 @@ class Lighting {
         if (world_.settings.shadows && light.shadows && max_component(absolute(at.color)) > 0) {
             ++counts.shadow;
             const Ray<Real> ray = make_ray(s.position, s.position_lo, at.direction, s.error);
-            share = light_through(world_, ray, at.distance, c.touched, c.towards(s, at.direction));
+            const Start<Real> start{0, true, c.touched, left_for_good(s, at.direction)};
+            share = light_through(world_, ray, at.distance, start, c.towards(s, at.direction));
         }
         const bool arrives = max_component(share) > 0;
         note((std::uint64_t(i) << 1) + (arrives ? 1 : 0));

@@ -14,8 +14,9 @@ struct Illumination {
 };
 
 template <class Real>
-Illumination<Real> illuminate(const LightSource<Real>& light, const Vec3<Real>& point,
-                              const Vec3<Real>& point_lo) {
+[[gnu::always_inline]] inline Illumination<Real> illuminate(const LightSource<Real>& light,
+                                                            const Vec3<Real>& point,
+                                                            const Vec3<Real>& point_lo) {
     using Kind = typename LightSource<Real>::Kind;
     if (light.kind == Kind::directional)
         return {light.direction, std::numeric_limits<Real>::infinity(), light.color};

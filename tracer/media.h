@@ -36,7 +36,7 @@ bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real
         return dot(half->normal, ray.dir) < 0;
     }
     int balance = 0;  // ways out less ways in, ahead
-    primitive_crossings(world, index, ray, Known{}, whole_line<Real>(),
+    primitive_crossings(world, p, ray, Known{}, whole_line<Real>(),
                         [&](const Crossing<Real>& c, Real, Real) {
                             if (c.t > c.error) balance += c.entering ? -1 : 1;
                             return false;

@@ -69,7 +69,8 @@ class OpaqueTracer {
             ++lighting_.counts.reflected;
             const Ray<Real> reflected =
                 make_ray(s.position, s.position_lo, mirrored(ray.dir, s.normal), s.error);
-            result += mirror * trace(reflected, {0, true, std::move(touched)},
+            result += mirror * trace(reflected,
+                                     {0, true, std::move(touched), left_for_good(s, reflected.dir)},
                                      weight * mirror_weight, level + 1);
         }
         return result;

@@ -15,7 +15,7 @@ Vec3<Real> mirrored(const Vec3<Real>& d, const Vec3<Real>& n) {
 /// Returns false under total internal reflection.
 ///
 /// q = 1 - ratio^2 (1 - c^2) is formed as (1 - ratio)(1 + ratio) + (ratio c)^2, which keeps its
-/// sign next to the critical angle and its value where ratio is near 1 (docs/algorithms.md).
+/// sign next to the critical angle and its value where ratio is near 1 (docs/numerics.md).
 template <class Real>
 bool refracted(const Vec3<Real>& d, const Vec3<Real>& n, Real ratio, Vec3<Real>& bent) {
     using std::sqrt;

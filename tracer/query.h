@@ -26,7 +26,8 @@ struct Start {
     Real t = 0;  ///< hits before this parameter are behind
     bool fresh =
         true;  ///< the origin lies on `surfaces`; else the ray passed straight through them at t
-    SurfaceList surfaces;  ///< of the contact it comes from
+    SurfaceList surfaces;       ///< of the contact it comes from
+    std::uint32_t left = none;  ///< a convex solid that it leaves for good: left_for_good()
 };
 
 template <class Real>
@@ -62,8 +63,10 @@ class Acceptance {
             }
         }
         if constexpr (lists_media) {
-            if (world_.has_media && world_.primitives[primitive].medium)
+            if (is_medium(world_.primitives[primitive])) {
                 k.inside = contains(bodies_, primitive);
+                k.one_way = true;
+            }
         }
         return k;
     }
@@ -73,25 +76,11 @@ class Acceptance {
         const Primitive<Real>& p = world_.primitives[primitive];
         const Real ahead = c.t - start_.t;
         if (ahead < -c.error) return false;
-        bool same_primitive = false;
-        for (const SurfaceId& s : start_.surfaces) {
-            if (s.primitive != primitive) continue;
-            same_primitive = true;
-            if (start_.fresh ? is_face_by_face(p) && s.face == c.face
-                             : s.face == c.face && s.entering == c.entering)
-                return false;
-        }
-        // What the ray has just left it cannot enter again at the same place: a convex solid never,
-        // another only farther on. Else a slab thinner than the bound would be entered for ever.
-        if (same_primitive && c.entering && (is_convex(p) || !(ahead > c.error))) return false;
-        if (is_medium(p)) {
-            if (contains_here(primitive) == c.entering) return false;
-        } else if (!(ahead > c.error)) {
-            const bool enters_wall =
-                p.body && c.entering && !same_primitive && c.chord > 4 * c.error;
-            if (!enters_wall) return false;
-        }
-        return true;
+        const bool left = leaves(primitive);
+        if (left && repeats(p, primitive, c)) return false;
+        if (is_medium(p)) return contains_here(primitive) != c.entering;
+        if (ahead > c.error) return true;
+        return p.body && c.entering && !left && c.chord > 4 * c.error;  // enters a wall
     }
 
     /// Where a crossing that counts is met: at the start when rounding put it before.
@@ -99,6 +88,28 @@ class Acceptance {
 
   private:
     static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
+
+    /// Whether the ray starts on the primitive, or passed straight through it just now.
+    bool leaves(std::uint32_t primitive) const {
+        for (const SurfaceId& s : start_.surfaces) {
+            if (s.primitive == primitive) return true;
+        }
+        return false;
+    }
+
+    /// Whether a crossing with what the ray leaves is one that it has behind it.
+    [[gnu::noinline]] bool repeats(const Primitive<Real>& p, std::uint32_t primitive,
+                                   const Crossing<Real>& c) const {
+        for (const SurfaceId& s : start_.surfaces) {
+            if (s.primitive != primitive) continue;
+            if (start_.fresh ? is_face_by_face(p) && s.face == c.face
+                             : s.face == c.face && s.entering == c.entering)
+                return true;
+        }
+        // What the ray has just left it cannot enter again at the same place: a convex solid never,
+        // another only farther on. Else a slab thinner than the bound would be entered for ever.
+        return c.entering && (p.convex || !(c.t - start_.t > c.error));
+    }
 
     bool is_medium(const Primitive<Real>& p) const {
         return lists_media && p.medium && world_.has_media;
@@ -115,55 +126,55 @@ class Acceptance {
                std::holds_alternative<TriangleSheet<Real>>(p.solid);
     }
 
-    static bool is_convex(const Primitive<Real>& p) {
-        return std::holds_alternative<BallSolid<Real>>(p.solid) ||
-               std::holds_alternative<BoxSolid<Real>>(p.solid) ||
-               std::holds_alternative<FrustumSolid<Real>>(p.solid) ||
-               std::holds_alternative<HalfSpace<Real>>(p.solid);
-    }
-
     const World<Real>& world_;
     const Start<Real>& start_;
     const Bodies& bodies_;
 };
 
+/// Reports the crossings of the ray with a solid in the solid's own space.
+template <class Real, class Last, class Report>
+void solid_crossings(const Solid<Real>& solid, const Ray<Real>& ray, Known known,
+                     const Stretch<Real, Last>& stretch, Report& report) {
+    std::visit(
+        [&](const auto& shape) {
+            using S = std::decay_t<decltype(shape)>;
+            if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
+                          std::is_same_v<S, PatchSolid<Real>> ||
+                          std::is_same_v<S, BicubicSolid<Real>>) {
+                crossings(shape, ray, known, stretch, report);
+            } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
+                TriangleHit<Real> hit;
+                Shear<Real> shear = shear_of(ray);
+                shear.noise = edge_noise(ray, shape.reach());
+                if (intersect(shape, ray, shear, stretch, hit))
+                    report(Crossing<Real>{hit.t, hit.error, 0, hit.entering}, hit.u, hit.v);
+            } else {
+                crossings(shape, ray, known, stretch,
+                          [&](const Crossing<Real>& c) { report(c, Real(0), Real(0)); });
+            }
+        },
+        solid);
+}
+
 /// Reports the crossings of the world ray with one primitive: report(Crossing, u, v), which returns
 /// true to stop.
 template <class Real, class Last, class Report>
-void primitive_crossings(const World<Real>& world, std::uint32_t index, const Ray<Real>& world_ray,
-                         const Known& known, const Stretch<Real, Last>& stretch, Report&& report) {
-    const Primitive<Real>& p = world.primitives[index];
-    const auto in_space = [&](const Ray<Real>& ray) {
-        std::visit(
-            [&](const auto& solid) {
-                using S = std::decay_t<decltype(solid)>;
-                if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
-                              std::is_same_v<S, PatchSolid<Real>> ||
-                              std::is_same_v<S, BicubicSolid<Real>>) {
-                    crossings(solid, ray, known, stretch, report);
-                } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
-                    TriangleHit<Real> hit;
-                    if (intersect(solid, ray, shear_of(ray), stretch, hit))
-                        report(Crossing<Real>{hit.t, hit.error, 0, hit.entering}, hit.u, hit.v);
-                } else {
-                    crossings(solid, ray, known, stretch,
-                              [&](const Crossing<Real>& c) { report(c, Real(0), Real(0)); });
-                }
-            },
-            p.solid);
-    };
-    if (p.frame == none) {
-        in_space(world_ray);
-    } else {
-        in_space(to_local(world_ray, world.frames[p.frame]));
-    }
+void primitive_crossings(const World<Real>& world, const Primitive<Real>& primitive,
+                         const Ray<Real>& world_ray, Known known,
+                         const Stretch<Real, Last>& stretch, Report&& report) {
+    if (primitive.frame == none)
+        solid_crossings(primitive.solid, world_ray, known, stretch, report);
+    else
+        solid_crossings(primitive.solid, to_local(world_ray, world.frames[primitive.frame]), known,
+                        stretch, report);
 }
 
 /// Visits every primitive that the ray may meet on the stretch: visit(index) returns true to stop.
 template <class Real, class Last, class Visit>
 void candidates(const World<Real>& world, const Ray<Real>& ray, const Stretch<Real, Last>& stretch,
                 Visit&& visit) {
-    for (std::uint32_t i = world.bounded; i < world.primitives.size(); ++i) {
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end; ++i) {
         if (visit(i)) return;
     }
     traverse(world.bvh, ray, stretch.first, stretch.last,
@@ -252,9 +263,11 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     const Real first = start.t - std::abs(start.t) * gamma<Real>(32);
     const Stretch<Real, decltype(limit)> stretch{first, limit};
     candidates(world, ray, stretch, [&](std::uint32_t index) {
-        if (shadows == Shadows::cast && !world.primitives[index].casts_shadow) return false;
+        if (index == start.left) return false;
+        const Primitive<Real>& p = world.primitives[index];
+        if (shadows == Shadows::cast && !p.casts_shadow) return false;
         primitive_crossings(
-            world, index, ray, accept.known(index), stretch,
+            world, p, ray, accept.known(index), stretch,
             [&](const Crossing<Real>& c, Real u, Real v) {
                 if (accept(index, c))
                     found.add({accept.met_at(c), c.error, {index, c.face, c.entering}, u, v});

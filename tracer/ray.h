@@ -22,6 +22,8 @@ struct Shear {
     Real sx = 0;
     Real sy = 0;
     Real sz = 1;
+    /// Bound on what plain differences take from an edge function of a triangle: edge_noise().
+    Real noise = std::numeric_limits<Real>::infinity();
 };
 
 /// A half line. World rays have unit directions; rays in an object's space keep the parameter t of
@@ -29,22 +31,57 @@ struct Shear {
 template <class Real>
 struct Ray {
     Vec3<Real> origin;     ///< the start is origin + origin_lo, unevaluated
-    Vec3<Real> origin_lo;  ///< the part of the start that `origin` is too coarse for
+    Vec3<Real> origin_lo;  ///< what `origin` is too coarse for: at most u |origin| in a component
     Vec3<Real> dir;
     Real dir_squared;  ///< dot(dir, dir)
+    Real inv_squared;  ///< 1 / dir_squared
     Real
         origin_error;  ///< bound on the start's distance from the surface it was computed to lie on
+    Real plain_error;  ///< what the start adds to the error of a plain difference of places,
+                       ///< origin - point, summed over the components: see plain_error_of()
     Vec3<Real> inv_dir;  ///< 1 / dir, component by component
     bool whole = false;  ///< `origin_lo` is 0
 };
 
+/// What a place adds to the error of a plain difference of places: such a difference errs by u of
+/// both, and a start's by the low part that it leaves out. 16 u instead, so that it stands for the
+/// place's size, too, in what is then computed from the difference. Filters use it: they decide
+/// what is clear from a distance, before exact differences are formed.
+template <class Real>
+Real plain_error_of(const Vec3<Real>& place) {
+    const Vec3<Real> size = absolute(place);
+    return gamma<Real>(16) * (size.x + size.y + size.z);
+}
+
+/// A bound on the size of a place, or of several together, from their plain errors.
+template <class Real>
+Real size_of_place(Real plain_errors) {
+    return plain_errors * (1 / gamma<Real>(16));
+}
+
+/// 1 / square. Directions of world rays are unit but for rounding, and 1 / (1 + e) is 1 - e within
+/// e^2, which for an e of some roundings is less than one.
+template <class Real>
+Real inverse_square(Real square) {
+    using std::abs;
+    const Real excess = square - 1;
+    return abs(excess) < gamma<Real>(16) ? 1 - excess : 1 / square;
+}
+
+/// \param origin_lo  at most u |origin| in a component: see normalized()
 template <class Real>
 Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const Vec3<Real>& dir,
                    Real origin_error) {
-    Ray<Real> ray{origin,        origin_lo,    dir,
-                  dot(dir, dir), origin_error, Vec3<Real>(1 / dir.x, 1 / dir.y, 1 / dir.z)};
-    ray.whole = origin_lo == Vec3<Real>(0);
-    return ray;
+    const Real square = dot(dir, dir);
+    return {origin,
+            origin_lo,
+            dir,
+            square,
+            inverse_square(square),
+            origin_error,
+            plain_error_of(origin) + origin_error,
+            Vec3<Real>(1 / dir.x, 1 / dir.y, 1 / dir.z),
+            origin_lo == Vec3<Real>(0)};
 }
 
 /// The same for all triangles that the ray meets, so that neighbours agree.
@@ -66,9 +103,22 @@ Shear<Real> shear_of(const Ray<Real>& ray) {
     return s;
 }
 
+/// How far a triangle's edge function by plain differences and that by exact ones may lie apart.
+/// With S the size of start and corners from their plain errors, plain differences are off by 18 u
+/// S, sheared coordinates (up to 2 S) by 43 u S, the difference of two of their products by 360 u
+/// S^2; from exact differences by 72 u S^2. Where the start is one number both are the same.
+///
+/// \param reach  bound on the corners' coordinates
+template <class Real>
+Real edge_noise(const Ray<Real>& ray, Real reach) {
+    if (ray.whole) return 0;
+    const Real size = reach + size_of_place(ray.plain_error);
+    return gamma<Real>(512) * size * size;
+}
+
 /// The ray's start relative to `point`.
 template <class Real>
-Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
+[[gnu::always_inline]] inline Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
     if (ray.whole) return ray.origin - point;  // what the difference then comes to
     return difference(ray.origin, ray.origin_lo, point);
 }
@@ -96,6 +146,11 @@ struct Known {
     std::uint32_t start_face = none;
     /// The ray is inside the solid: it has a way out, even where rounding denies it.
     bool inside = false;
+    /// The solid is one that can only be left from inside and only be entered from outside, so that
+    /// other crossings need not be reported.
+    bool one_way = false;
+
+    bool asks_about(bool entering) const { return !one_way || entering != inside; }
 };
 
 /// A crossing of a ray with a surface, on the whole line: t may be negative.
@@ -163,9 +218,9 @@ Ray<Real> to_local(const Ray<Real>& ray, const Frame<Real>& frame) {
     const Vec3<Real> size = absolute(start.hi);
     const Real error = frame.inverse_norm *
                        (ray.origin_error + frame.placed + gamma<Real>(6) * max_component(size));
-    return make_ray(map_vector(frame.linear_inverse, start.hi),
-                    map_vector(frame.linear_inverse, low),
-                    map_vector(frame.linear_inverse, ray.dir), error);
+    const VectorSum<Real> local = normalized(map_vector(frame.linear_inverse, start.hi),
+                                             map_vector(frame.linear_inverse, low));
+    return make_ray(local.hi, local.lo, map_vector(frame.linear_inverse, ray.dir), error);
 }
 
 }  // namespace lancer

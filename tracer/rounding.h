@@ -82,17 +82,26 @@ struct VectorSum {
 };
 
 template <class Real>
-VectorSum<Real> two_sum(const Vec3<Real>& a, const Vec3<Real>& b) {
+[[gnu::always_inline]] inline VectorSum<Real> two_sum(const Vec3<Real>& a, const Vec3<Real>& b) {
     const Sum<Real> x = two_sum(a.x, b.x);
     const Sum<Real> y = two_sum(a.y, b.y);
     const Sum<Real> z = two_sum(a.z, b.z);
     return {{x.hi, y.hi, z.hi}, {x.lo, y.lo, z.lo}};
 }
 
+/// The same sum with |lo| <= u |hi| in each component.
+template <class Real>
+[[gnu::always_inline]] inline VectorSum<Real> normalized(const Vec3<Real>& hi,
+                                                         const Vec3<Real>& lo) {
+    if (lo == Vec3<Real>(0)) return {hi, lo};
+    return two_sum(hi, lo);
+}
+
 /// (hi + lo) - point, the exact difference rounded once, to within u^2. So it is the same wherever
 /// both stand, as long as their coordinates are representable there.
 template <class Real>
-Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>& lo, const Vec3<Real>& point) {
+[[gnu::always_inline]] inline Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>& lo,
+                                                    const Vec3<Real>& point) {
     const VectorSum<Real> d = two_sum(hi, -point);
     return d.hi + (d.lo + lo);
 }

@@ -22,8 +22,8 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
     const Stretch<Real, decltype(limit)> stretch{Real(0), limit};
     candidates(world, ray, stretch, [&](std::uint32_t index) {
         const Primitive<Real>& p = world.primitives[index];
-        if (!p.casts_shadow) return false;
-        primitive_crossings(world, index, ray, accept.known(index), stretch,
+        if (!p.casts_shadow || index == start.left) return false;
+        primitive_crossings(world, p, ray, accept.known(index), stretch,
                             [&](const Crossing<Real>& c, Real, Real) {
                                 if (light_may_pass && p.transmissive) {
                                     if (c.t >= -c.error && c.t < distance) way = Way::filtered;
@@ -45,8 +45,7 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
 /// \param media  around the first stretch of the way
 template <class Real>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                         const SurfaceList& touched, Media media) {
-    Start<Real> start{0, true, touched};
+                         Start<Real> start, Media media) {
     MediaList& bodies = media.bodies;
     const Way way = survey(world, ray, distance, start, bodies);
     if (way == Way::blocked) return Vec3<Real>(0);
@@ -81,8 +80,8 @@ Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real di
 /// The same where no light passes through anything.
 template <class Real>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                         const SurfaceList& touched, NoMedia media) {
-    const Way way = survey(world, ray, distance, Start<Real>{0, true, touched}, media);
+                         const Start<Real>& start, NoMedia media) {
+    const Way way = survey(world, ray, distance, start, media);
     return Vec3<Real>(way == Way::blocked ? Real(0) : Real(1));
 }
 

@@ -230,6 +230,7 @@ class Solids {
         f.placed = placed;
         f.small_end = small;
         f.large_end = large;
+        f.plain_error = plain_error_of(small);
         const Vec3<Real> along = large - small;
         const Real longest = max_component(absolute(along));
         const Vec3<Real> short_axis = along / longest;

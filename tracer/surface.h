@@ -22,6 +22,13 @@ struct Surface {
     Real opacity;
 };
 
+/// The convex solid that a straight line in this direction leaves at the surface, never to meet it
+/// again; none where it goes in, or may come back.
+template <class Real>
+std::uint32_t left_for_good(const Surface<Real>& s, const Vec3<Real>& direction) {
+    return s.primitive->convex && dot(s.geometric, direction) > 0 ? s.id.primitive : none;
+}
+
 template <class Real>
 SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& primitive,
                                const Ray<Real>& ray, const Hit<Real>& hit) {
@@ -72,6 +79,16 @@ void set_color(const World<Real>& world, const SurfacePoint<Real>& local, Surfac
 }
 
 template <class Real>
+void set_position(Surface<Real>& s, const VectorSum<Real>& place, const Vec3<Real>& rest) {
+    s.position = place.hi;
+    s.position_lo = place.lo;
+    if (rest == Vec3<Real>(0)) return;
+    const VectorSum<Real> sum = normalized(place.hi, place.lo + rest);
+    s.position = sum.hi;
+    s.position_lo = sum.lo;
+}
+
+template <class Real>
 Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const Hit<Real>& hit) {
     const Primitive<Real>& primitive = world.primitives[hit.surface.primitive];
     Surface<Real> s;
@@ -82,8 +99,7 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const
     if (primitive.frame == none) {
         local = local_point(world, primitive, ray, hit);
         const VectorSum<Real> place = two_sum(local.anchor, local.offset);
-        s.position = place.hi;
-        s.position_lo = place.lo + local.rest;
+        set_position(s, place, local.rest);
         s.error = local.error;
         s.geometric = unit(local.normal);
         s.normal = local.shading == local.normal ? s.geometric : unit(local.shading);
@@ -95,8 +111,7 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const
         const Vec3<Real> offset = map_vector(frame.to_world, local.offset);
         const VectorSum<Real> inner = two_sum(anchor, offset);
         const VectorSum<Real> place = two_sum(frame.to_world.shift, inner.hi);
-        s.position = place.hi;
-        s.position_lo = place.lo + inner.lo;
+        set_position(s, place, inner.lo);
         const Real size = max_component(absolute(anchor)) + max_component(absolute(offset));
         s.error = frame.norm * local.error + gamma<Real>(4) * size;
         s.geometric = unit(map_transposed(frame.linear_inverse, local.normal));

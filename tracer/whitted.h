@@ -84,7 +84,7 @@ class Whitted {
             if (c.ratio == 1) {
                 if (++straight_passes > max_straight_passes) return result;
                 media = after;
-                start = {t, false, std::move(touched)};
+                start = {t, false, std::move(touched), start.left};
                 continue;
             }
             if (!is_followed(world_, weight, level + 1)) return result;
@@ -93,7 +93,7 @@ class Whitted {
             Media next = leaving(front, c, c.bent, !c.total);
             ray = make_ray(front.position, front.position_lo, c.bent, front.error);
             media = std::move(next);
-            start = {0, true, std::move(touched)};
+            start = {0, true, std::move(touched), left_for_good(front, ray.dir)};
             left = front.id;
             ++level;
         }
@@ -178,8 +178,8 @@ class Whitted {
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
                 result += through * share.light * mirror *
-                          trace(ray, {0, true, c.touched}, leaving(s, c, direction, false),
-                                mirror_weight, level + 1, s.id);
+                          trace(ray, {0, true, c.touched, left_for_good(s, direction)},
+                                leaving(s, c, direction, false), mirror_weight, level + 1, s.id);
             }
             if (!passes) return {true, share.light, share.weight};
             Vec3<Real> factor = s.passing;

@@ -29,6 +29,15 @@ using Solid = std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, 
                            TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>,
                            BicubicSolid<Real>, LatheSolid<Real>, PrismSolid<Real>>;
 
+/// Solids that a straight line meets in one piece (a cylinder without caps: its inside).
+template <class Real>
+bool is_convex(const Solid<Real>& solid) {
+    return std::holds_alternative<BallSolid<Real>>(solid) ||
+           std::holds_alternative<BoxSolid<Real>>(solid) ||
+           std::holds_alternative<FrustumSolid<Real>>(solid) ||
+           std::holds_alternative<HalfSpace<Real>>(solid);
+}
+
 template <class Real>
 struct Primitive {
     Solid<Real> solid;
@@ -39,6 +48,7 @@ struct Primitive {
     std::uint32_t corner_normals =
         none;                   ///< index into World::corner_normals; lone smooth triangles
     bool body = false;          ///< has an inside
+    bool convex = false;        ///< so a straight line that has left it does not come back
     bool transmissive = false;  ///< some light may pass through its surface
     bool medium = false;  ///< a body whose inside matters to rays: transmissive, or of its own ior
                           ///< or absorption

@@ -26,7 +26,8 @@ TEST(Oracle, Sphere) {
             ray = make_ray(ball.center + edge * reach - ray.dir * (ball.radius * draw.decade(0, 4)),
                            Vec3d(0), ray.dir, 0.0);
         }
-        const ExactVec f = exact(ball.center) - exact(ray.origin);
+        ray = draw.in_two_parts(ray);
+        const ExactVec f = exact(ball.center) - start_of(ray);
         const ExactVec d = exact(ray.dir);
         const Exact dd = dot(d, d);
         const Exact b = dot(f, d);
@@ -41,7 +42,7 @@ TEST(Oracle, Sphere) {
             const SurfacePoint<double> p = surface_point(ball, ray, c.t, 0);
             const ExactVec from_center =
                 exact(p.anchor) + exact(p.offset) + exact(p.rest) - exact(ball.center);
-            const ExactVec truth = exact(ray.origin) + Exact(c.t) * d - exact(ball.center);
+            const ExactVec truth = start_of(ray) + Exact(c.t) * d - exact(ball.center);
             tally.point(p, length(from_center) - ball.radius, truth, ball.radius);
         });
         // The kernel's own rounding moves the line by some u |f|, which counts next to r.
@@ -61,7 +62,7 @@ TEST(Oracle, SphereFromItsSurface) {
         Vec3d along = draw.direction();
         if (draw.number() % 2 == 1) along = normalize(cross(n, along)) + n * draw.decade(-16, -1);
         const Ray<double> ray = make_ray(start.hi, start.lo, normalize(along), 0.0);
-        const ExactVec f = exact(ball.center) - exact(ray.origin) - exact(ray.origin_lo);
+        const ExactVec f = exact(ball.center) - start_of(ray);
         const Exact t = 2 * dot(f, exact(ray.dir)) / dot(exact(ray.dir), exact(ray.dir));
         crossings(ball, ray, Known{0, false}, whole_line<double>(),
                   [&](const Crossing<double>& c) { tally.hit(ray, c, t, ball.radius); });
@@ -76,13 +77,13 @@ TEST(Oracle, Box) {
         const Vec3d sides(draw.decade(-3, 1), draw.decade(-3, 1), draw.decade(-3, 1));
         const BoxSolid<double> box{corner, corner + sides};
         const double size = max_component(sides);
-        const Ray<double> ray = draw.ray_at(corner + sides / 2.0, size);
+        const Ray<double> ray = draw.in_two_parts(draw.ray_at(corner + sides / 2.0, size));
         Exact in = -Exact(std::numeric_limits<double>::max());
         Exact out = std::numeric_limits<double>::max();
         bool beside = false;
         for (int axis = 0; axis < 3; ++axis) {
-            const Exact low = Exact(box.min[axis]) - ray.origin[axis];
-            const Exact high = Exact(box.max[axis]) - ray.origin[axis];
+            const Exact low = Exact(box.min[axis]) - ray.origin[axis] - ray.origin_lo[axis];
+            const Exact high = Exact(box.max[axis]) - ray.origin[axis] - ray.origin_lo[axis];
             if (ray.dir[axis] == 0) {
                 beside = beside || low > 0 || high < 0;
                 continue;
@@ -98,7 +99,7 @@ TEST(Oracle, Box) {
             const int axis = static_cast<int>(c.face / 2);
             const bool at_max = c.face % 2 == 1;
             const double at = at_max ? box.max[axis] : box.min[axis];
-            const Exact t = (Exact(at) - ray.origin[axis]) / ray.dir[axis];
+            const Exact t = (Exact(at) - ray.origin[axis] - ray.origin_lo[axis]) / ray.dir[axis];
             tally.hit(ray, c, t, size);
             const SurfacePoint<double> p = surface_point(box, ray, c.t, c.face);
             Vec3d normal(0.0);
@@ -121,8 +122,9 @@ TEST(Oracle, Plane) {
             ray = make_ray(ray.origin, Vec3d(0),
                            normalize(along + half.normal * draw.decade(-12, -1)), 0.0);
         }
+        ray = draw.in_two_parts(ray);
         const ExactVec n = exact(half.normal);
-        const Exact t = dot(n, exact(half.point) - exact(ray.origin)) / dot(n, exact(ray.dir));
+        const Exact t = dot(n, exact(half.point) - start_of(ray)) / dot(n, exact(ray.dir));
         // A query that ends around the crossing.
         const double end = static_cast<double>(t) * (1 + draw.between(-1, 1) * draw.decade(-15, 0));
         const auto last = [&] { return end; };
@@ -157,15 +159,18 @@ TEST(Oracle, Triangle) {
         const double v = draw.unit() * (1 - u);
         const Vec3d target = a + u * (b - a) + v * (c3 - a);
         const Vec3d from = target + draw.direction() * (size * draw.decade(-3, 4));
-        const Ray<double> ray = make_ray(from, Vec3d(0), normalize(target - from), 0.0);
+        const Ray<double> ray =
+            draw.in_two_parts(make_ray(from, Vec3d(0), normalize(target - from), 0.0));
         TriangleHit<double> hit;
-        const bool found = intersect(triangle, ray, shear_of(ray), whole_line<double>(), hit);
+        Shear<double> shear = shear_of(ray);
+        shear.noise = edge_noise(ray, triangle.reach());
+        const bool found = intersect(triangle, ray, shear, whole_line<double>(), hit);
         const ExactVec n = cross(exact(b) - exact(a), exact(c3) - exact(a));
         const ExactVec d = exact(ray.dir);
-        const Exact t = dot(n, exact(a) - exact(ray.origin)) / dot(n, d);
+        const Exact t = dot(n, exact(a) - start_of(ray)) / dot(n, d);
         // Weights by volumes of the ray with the edges: all of one sign inside.
         const auto volume = [&](const Vec3d& p, const Vec3d& q) {
-            return dot(d, cross(exact(p) - exact(ray.origin), exact(q) - exact(ray.origin)));
+            return dot(d, cross(exact(p) - start_of(ray), exact(q) - start_of(ray)));
         };
         const Exact w[] = {volume(b, c3), volume(c3, a), volume(a, b)};
         const bool inside =
@@ -196,10 +201,12 @@ TEST(Oracle, CylinderAndCone) {
         f.radius = draw.number() % 4 == 0 ? 0 : draw.decade(-3, 1);
         f.slope = draw.number() % 2 == 0 ? draw.decade(-2, 0.5) : (f.radius > 0 ? 0 : 0.5);
         f.capped = true;
+        f.plain_error = plain_error_of(f.small_end);
         const double size = std::max(f.height, f.radius + f.slope * f.height);
-        const Ray<double> ray = draw.ray_at(f.small_end + (f.height / 2) * f.axis, size);
+        const Ray<double> ray =
+            draw.in_two_parts(draw.ray_at(f.small_end + (f.height / 2) * f.axis, size));
         const ExactVec w = unit_of(exact(f.axis));
-        const ExactVec start = exact(ray.origin) - exact(f.small_end);
+        const ExactVec start = start_of(ray) - exact(f.small_end);
         const ExactVec d = exact(ray.dir);
         const Exact sa = dot(w, start);
         const Exact da = dot(w, d);
@@ -232,7 +239,7 @@ TEST(Oracle, CylinderAndCone) {
             } else {
                 const bool small = c.face == frustum_face::small_cap;
                 const ExactVec end = exact(small ? f.small_end : f.large_end);
-                caps.hit(ray, c, dot(w, end - exact(ray.origin)) / da, size);
+                caps.hit(ray, c, dot(w, end - start_of(ray)) / da, size);
                 const ExactVec from_end = exact(p.anchor) + exact(p.offset) - end;
                 caps.point(p, dot(w, from_end), Exact(small ? -1 : 1) * w, size);
             }

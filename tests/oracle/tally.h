@@ -49,10 +49,25 @@ class Draw {
         return make_ray(from, Vec3d(0), dir, 0.0);
     }
 
+    /// The same ray, in a third of the cases with a start of two numbers. What is drawn after it
+    /// does not depend on it.
+    Ray<double> in_two_parts(const Ray<double>& ray) const {
+        if (number_ % 3 != 1) return ray;
+        Draw other(~number_);
+        Vec3d low(0.0);
+        for (int i = 0; i < 3; ++i)
+            low[i] = ray.origin[i] * other.between(-1, 1) * unit_roundoff<double>;
+        return make_ray(ray.origin, low, ray.dir, 0.0);
+    }
+
   private:
     std::uint64_t number_;
     std::mt19937_64 random_;
 };
+
+inline ExactVec start_of(const Ray<double>& ray) {
+    return exact(ray.origin) + exact(ray.origin_lo);
+}
 
 class Tally {
   public:

@@ -1,6 +1,7 @@
 // The box along the axes of its space.
 #pragma once
 
+#include "tracer/lanes.h"
 #include "tracer/ray.h"
 
 namespace lancer {
@@ -23,26 +24,38 @@ struct BoxSpan {
     static constexpr Real infinity = std::numeric_limits<Real>::infinity();
     Real in = -infinity;
     Real out = infinity;
-    int in_axis = 0;
-    int out_axis = 0;
     std::uint32_t in_face = 0;
     std::uint32_t out_face = 0;
     bool started_in = false;  ///< the line starts on the face that it goes in by
 };
 
+/// From the start to the box's two planes across an axis, exact differences rounded once.
+template <class Real>
+Two<Real> to_planes(const BoxSolid<Real>& box, const Ray<Real>& ray, int axis) {
+    const Two<Real> planes(std::array<Real, 2>{box.min[axis], box.max[axis]});
+    const Two<Real> origin(ray.origin[axis]);
+    if (ray.whole) return planes - origin;
+    const Sum<Two<Real>> d = two_sum(planes, Two<Real>(Real(0)) - origin);
+    return d.hi + (d.lo - Two<Real>(ray.origin_lo[axis]));
+}
+
 /// Cuts the span down to what lies between the two faces across an axis. Returns false when nothing
 /// is left and the line is not known to be inside.
-///
-/// \param to_min, to_max  from the start to the faces, along the axis
 template <class Real>
-bool cut(BoxSpan<Real>& span, int axis, Real dir, Real inv_dir, Real to_min, Real to_max,
-         const Known& known) {
-    if (dir == 0) return known.inside || !(to_min > 0 || to_max < 0);
+[[gnu::always_inline]] inline bool cut(BoxSpan<Real>& span, const BoxSolid<Real>& box,
+                                       const Ray<Real>& ray, int axis, const Known& known) {
+    const Two<Real> way = to_planes(box, ray, axis);
+    const Real dir = ray.dir[axis];
+    if (dir == 0) {
+        const auto [to_min, to_max] = way.numbers();
+        return known.inside || !(to_min > 0 || to_max < 0);
+    }
     const bool forward = dir > 0;
     const std::uint32_t near_face = box_face(axis, !forward);
     const std::uint32_t far_face = box_face(axis, forward);
-    Real near = (forward ? to_min : to_max) * inv_dir;
-    Real far = (forward ? to_max : to_min) * inv_dir;
+    const auto [at_min, at_max] = (way * Two<Real>(ray.inv_dir[axis])).numbers();
+    Real near = forward ? at_min : at_max;
+    Real far = forward ? at_max : at_min;
     if (known.start_face == near_face) {
         near = 0;
         span.started_in = true;
@@ -50,12 +63,10 @@ bool cut(BoxSpan<Real>& span, int axis, Real dir, Real inv_dir, Real to_min, Rea
     if (known.start_face == far_face) far = 0;
     if (near > span.in) {
         span.in = near;
-        span.in_axis = axis;
         span.in_face = near_face;
     }
     if (far < span.out) {
         span.out = far;
-        span.out_axis = axis;
         span.out_face = far_face;
     }
     return true;
@@ -70,24 +81,23 @@ void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Known& kno
                const Stretch<Real, Last>& stretch, Report&& report) {
     using std::abs;
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
-    const Vec3<Real> to_min = -start_from(ray, box.min);
-    const Vec3<Real> to_max = -start_from(ray, box.max);
     BoxSpan<Real> span;
-    if (!cut(span, 0, ray.dir.x, ray.inv_dir.x, to_min.x, to_max.x, known) ||
-        !cut(span, 1, ray.dir.y, ray.inv_dir.y, to_min.y, to_max.y, known) ||
-        !cut(span, 2, ray.dir.z, ray.inv_dir.z, to_min.z, to_max.z, known))
+    if (!cut(span, box, ray, 0, known) || !cut(span, box, ray, 1, known) ||
+        !cut(span, box, ray, 2, known))
         return;
     if (span.in > span.out && !known.inside && !span.started_in) return;
     // A difference, its small part, a reciprocal and a product.
-    const auto offer = [&](Real t, int axis, std::uint32_t face, bool entering, Real chord) {
-        if (face == known.start_face || !(abs(t) < infinity) || stretch.ends_before(t)) return;
-        const Real error =
-            gamma<Real>(4) * abs(t) + (ray.origin_error + box.placed) * abs(ray.inv_dir[axis]);
+    const auto offer = [&](Real t, std::uint32_t face, bool entering, Real chord) {
+        if (face == known.start_face || !(abs(t) < infinity) || stretch.ends_before(t) ||
+            !known.asks_about(entering))
+            return;
+        const Real steep = abs(ray.inv_dir[static_cast<int>(face / 2)]);
+        const Real error = gamma<Real>(4) * abs(t) + (ray.origin_error + box.placed) * steep;
         const Crossing<Real> c{t, error, face, entering, chord};
         if (stretch.holds(c)) report(c);
     };
-    offer(span.in, span.in_axis, span.in_face, true, span.out - span.in);
-    offer(span.out, span.out_axis, span.out_face, false, infinity);
+    offer(span.in, span.in_face, true, span.out - span.in);
+    offer(span.out, span.out_face, false, infinity);
 }
 
 /// The crossing's point, with the face's own coordinate exact.

@@ -17,7 +17,8 @@ struct FrustumSolid {
     Real radius;  ///< of the smaller end, >= 0
     Real slope;   ///< >= 0
     bool capped;
-    bool tilted = true;  ///< false: the axis is one of the coordinate axes
+    bool tilted = true;    ///< false: the axis is one of the coordinate axes
+    Real plain_error = 0;  ///< of `small_end` in a plain difference
     Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
@@ -37,11 +38,18 @@ struct FrustumLine {
 };
 
 template <class Real>
-FrustumLine<Real> frustum_line(const FrustumSolid<Real>& f, const Ray<Real>& ray) {
+void set_start(FrustumLine<Real>& line, const FrustumSolid<Real>& f, const Vec3<Real>& start) {
+    line.start = start;
+    line.start_axial = dot(f.axis, start);
+    line.start_perp = start - line.start_axial * f.axis;
+}
+
+/// \param start  of the ray, relative to the smaller end
+template <class Real>
+FrustumLine<Real> frustum_line(const FrustumSolid<Real>& f, const Ray<Real>& ray,
+                               const Vec3<Real>& start) {
     FrustumLine<Real> line;
-    line.start = start_from(ray, f.small_end);
-    line.start_axial = dot(f.axis, line.start);
-    line.start_perp = line.start - line.start_axial * f.axis;
+    set_start(line, f, start);
     line.dir_axial = dot(f.axis, ray.dir);
     line.dir_perp = ray.dir - line.dir_axial * f.axis;
     return line;
@@ -49,7 +57,8 @@ FrustumLine<Real> frustum_line(const FrustumSolid<Real>& f, const Ray<Real>& ray
 
 /// Whether the line stays outside of the mantle for certain: the textbook discriminant is negative
 /// by more than its own rounding and that of what follows here. Every term is a product of two of
-/// |start| + R and of |dir| + K, each taken out of a whole by some 8 roundings. See misses() of the
+/// |start| + R and of |dir| + K, each taken out of a whole by some 8 roundings; the plain
+/// difference that `line` was formed from is off by u of the places' sizes. See misses() of the
 /// ball.
 template <class Real>
 bool misses(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line) {
@@ -58,10 +67,11 @@ bool misses(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine
     const Real qa = dot(line.dir_perp, line.dir_perp) - rate * rate;
     const Real qb = dot(line.start_perp, line.dir_perp) - radius * rate;
     const Real qc = dot(line.start_perp, line.start_perp) - radius * radius;
-    const Real steep = 1 + f.slope * f.slope;
-    const Real start_size = steep * dot(line.start, line.start) + f.radius * f.radius;
-    const Real noise = gamma<Real>(512) * (steep * ray.dir_squared) * start_size;
-    return qa > gamma<Real>(64) * (steep * ray.dir_squared) && qb * qb - qa * qc < -noise;
+    const Real steep = (1 + f.slope * f.slope) * ray.dir_squared;
+    const Real size = size_of_place(ray.plain_error + f.plain_error);
+    const Real squares = size * size + f.radius * f.radius;
+    const Real noise = gamma<Real>(512) * (steep * (1 + f.slope * f.slope)) * squares;
+    return qa > gamma<Real>(64) * steep && qb * qb - qa * qc < -noise;
 }
 
 /// The line inside the mantle prolonged to infinity, on the nappe of the solid: from `in` to `out`.
@@ -75,8 +85,8 @@ struct MantleSpan {
     Real slide = 0;
     Real qa = 0;
     Real discriminant = 0;
+    Real root = 0;            ///< of the discriminant
     Real divided = infinity;  ///< the root that was divided by qa and so inherits its rounding
-    Real d_length = 0;
     Real rate = 0;
 };
 
@@ -98,8 +108,7 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const Real dd = dot(line.dir_perp, line.dir_perp);
     const Real rate = f.slope * line.dir_axial;
-    const Real d_length = sqrt(dd);
-    const Real qa = (d_length - rate) * (d_length + rate);
+    const Real qa = dd - rate * rate;
     const bool on_mantle = known.start_face == frustum_face::mantle;
 
     Real slide = 0;
@@ -115,7 +124,6 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
 
     span.slide = slide;
     span.qa = qa;
-    span.d_length = d_length;
     span.rate = rate;
     Real low = 0;
     Real high = 0;
@@ -125,18 +133,17 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
         high = other < 0 ? 0 : other;
         span.divided = other;
     } else {
-        const Real o_length = length(o);
-        const Real qc = (o_length - abs(radius)) * (o_length + abs(radius));
-        const Real v = length(radius * line.dir_perp - rate * o);
-        const Real moment = abs(dot(f.axis, cross(o, line.dir_perp)));
-        span.discriminant = (v - moment) * (v + moment);
+        const Real qc = dot(o, o) - radius * radius;
+        const Vec3<Real> v = radius * line.dir_perp - rate * o;
+        const Real moment = dot(f.axis, cross(o, line.dir_perp));
+        span.discriminant = dot(v, v) - moment * moment;
         if (span.discriminant < 0) {
             // A line steeper than the mantle meets it always.
             if (qa > 0 && !known.inside) return false;
             span.discriminant = 0;
         }
-        const Real root = sqrt(span.discriminant);
-        const Real q = -(qb + copysign(root, qb));
+        span.root = sqrt(span.discriminant);
+        const Real q = -(qb + copysign(span.root, qb));
         if (q == 0) {
             if (qa == 0 && qc > 0 && !known.inside) return false;
             low = high = qa == 0 && qc <= 0 ? infinity : Real(0);
@@ -197,13 +204,12 @@ Real mantle_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frust
         abs(f.radius + f.slope * (line.start_axial + t * line.dir_axial)) * (1 + f.slope);
     const Real w = place * (2 * size + place);
     const Real steep = abs(span.qa);
-    const Real terms = span.d_length + abs(span.rate);
+    const Real terms = length(line.dir_perp) + abs(span.rate);
     Real along = 0;
     if (on_mantle)
         along = 2 * place * terms / steep;
     else
-        along = span.discriminant > 4 * steep * w ? Real(0.54) * w / sqrt(span.discriminant)
-                                                  : sqrt(w / steep);
+        along = span.discriminant > 4 * steep * w ? Real(0.54) * w / span.root : sqrt(w / steep);
     if (t == span.divided) along += gamma<Real>(4) * (terms * terms / steep) * abs(t - span.slide);
     return along + gamma<Real>(6) * (abs(t) + abs(span.slide));
 }
@@ -222,14 +228,16 @@ Real cap_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumL
 }
 
 /// The solid is the mantle's interval within that between the two caps.
+///
+/// \param line  from the plain difference of places
 template <class Real, class Last, class Report>
-void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+[[gnu::noinline]] void all_crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, Known known,
+                                     FrustumLine<Real> line, const Stretch<Real, Last>& stretch,
+                                     Report& report) {
     using std::abs;
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
-    const FrustumLine<Real> line = frustum_line(f, ray);
     const bool on_mantle = known.start_face == frustum_face::mantle;
-    if (!known.inside && known.start_face == none && misses(f, ray, line)) return;
+    if (!ray.whole) set_start(line, f, start_from(ray, f.small_end));
 
     Crossing<Real> in{-infinity, 0, 0, true};
     Crossing<Real> out{infinity, 0, 0, false};
@@ -256,7 +264,8 @@ void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& k
     if (!mantle_span(f, line, mantle_known, in.t, out.t, span)) return;
     const auto offer = [&](Crossing<Real> c) {
         if (c.face == known.start_face && c.t == 0) return;
-        if (!(abs(c.t) < infinity) || stretch.ends_before(c.t)) return;
+        if (!(abs(c.t) < infinity) || stretch.ends_before(c.t) || !known.asks_about(c.entering))
+            return;
         c.error = c.face == frustum_face::mantle
                       ? mantle_bound(f, ray, line, span, on_mantle, c.t)
                       : cap_bound(f, ray, line,
@@ -280,6 +289,14 @@ void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& k
     offer(out);
 }
 
+template <class Real, class Last, class Report>
+void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& known,
+               const Stretch<Real, Last>& stretch, Report&& report) {
+    const FrustumLine<Real> plain = frustum_line(f, ray, ray.origin - f.small_end);
+    if (!known.inside && known.start_face == none && misses(f, ray, plain)) return;
+    all_crossings(f, ray, known, plain, stretch, report);
+}
+
 /// The crossing's point, put back onto its face.
 template <class Real>
 SurfacePoint<Real> surface_point(const FrustumSolid<Real>& f, const Ray<Real>& ray, Real t,
@@ -293,7 +310,7 @@ SurfacePoint<Real> surface_point(const FrustumSolid<Real>& f, const Ray<Real>& r
         return {end,    offset, gamma<Real>(4) * dot(absolute(f.axis), absolute(offset)),
                 normal, normal, Vec2<Real>(0)};
     }
-    const FrustumLine<Real> line = frustum_line(f, ray);
+    const FrustumLine<Real> line = frustum_line(f, ray, start_from(ray, f.small_end));
     const Real axial = line.start_axial + t * line.dir_axial;
     // From far away roundings of the start's size are left along the axis. Once more, lest they
     // turn the radius out of its plane.

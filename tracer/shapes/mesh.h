@@ -39,7 +39,8 @@ template <class Real, class Last, class Report>
 void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const Known& known,
                const Stretch<Real, Last>& stretch, Report&& report) {
     const TriangleMesh<Real>& mesh = *instance.mesh;
-    const Shear<Real> shear = shear_of(ray);
+    Shear<Real> shear = shear_of(ray);
+    shear.noise = edge_noise(ray, mesh.bvh.bounds.reach());
     traverse(mesh.bvh, ray, stretch.first, stretch.last,
              [&](std::uint32_t first, std::uint32_t count) {
                  for (std::uint32_t i = first; i < first + count; ++i) {

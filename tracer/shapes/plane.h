@@ -10,36 +10,31 @@ struct HalfSpace {
     Vec3<Real> normal;  ///< unit length, out of the half space
     Vec3<Real> point;   ///< on the plane
     Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
+    Real plain_error = placed + plain_error_of(point);  ///< of `point` in a plain difference
 };
 
 /// Whether the line crosses the plane behind its start or after the stretch for certain, told from
-/// the plain difference of places, which is off by u of the places' sizes, and without a division.
-/// See misses() of the ball.
+/// the plain difference of places and without a division. See misses() of the ball.
 ///
-/// \param slope  dot(normal, dir)
+/// \param slope  dot(normal, dir): of two unit vectors, so it errs by less than 8 u
 template <class Real, class Last>
 bool misses(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
             const Stretch<Real, Last>& stretch) {
     using std::abs;
-    const Vec3<Real> size = absolute(ray.origin) + absolute(half.point);
-    const Real noise =
-        gamma<Real>(16) * (size.x + size.y + size.z) + ray.origin_error + half.placed;
+    const Real noise = 2 * (ray.plain_error + half.plain_error);
     const Real height = dot(half.normal, ray.origin - half.point);
     const Real ahead = slope < 0 ? height : -height;  // t |slope|
     const Real steep = abs(slope);
-    if (!(steep * steep > gamma<Real>(64) * gamma<Real>(64) * ray.dir_squared)) return false;
-    return (stretch.first >= 0 && ahead + 2 * noise < 0) ||
-           ahead - 2 * noise > (1 + gamma<Real>(8)) * stretch.last() * steep;
+    if (!(steep > gamma<Real>(64))) return false;
+    return (stretch.first >= 0 && ahead < -noise) ||
+           ahead - noise > (1 + gamma<Real>(8)) * stretch.last() * (steep + gamma<Real>(8));
 }
 
+/// The one crossing, where it may matter.
 template <class Real, class Last, class Report>
-void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+[[gnu::noinline]] void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
+                                const Stretch<Real, Last>& stretch, Report& report) {
     using std::abs;
-    if (known.start_face != none) return;  // a line meets a plane once
-    const Real slope = dot(half.normal, ray.dir);
-    if (slope == 0) return;
-    if (misses(half, ray, slope, stretch)) return;
     const Vec3<Real> rel = start_from(ray, half.point);
     const Real height = dot(half.normal, rel);
     const Real inv = 1 / slope;
@@ -57,22 +52,31 @@ void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& k
     if (stretch.holds(c)) report(c);
 }
 
+template <class Real, class Last, class Report>
+void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& known,
+               const Stretch<Real, Last>& stretch, Report&& report) {
+    if (known.start_face != none) return;  // a line meets a plane once
+    const Real slope = dot(half.normal, ray.dir);
+    if (slope == 0 || misses(half, ray, slope, stretch)) return;
+    crossing(half, ray, slope, stretch, report);
+}
+
 /// The crossing's point, put back onto the plane.
 template <class Real>
 SurfacePoint<Real> surface_point(const HalfSpace<Real>& half, const Ray<Real>& ray, Real t,
                                  std::uint32_t /*face*/) {
     // Along an axis that lies in the plane the anchor may slide to where the ray starts: the offset
     // is then small and keeps its digits however far all this is from the origin.
-    Vec3<Real> anchor = half.point;
-    for (int i = 0; i < 3; ++i) {
-        if (half.normal[i] == 0) anchor[i] = ray.origin[i];
-    }
+    const Vec3<Real> rel = start_from(ray, half.point);
+    Vec3<Real> anchor(0);
+    Vec3<Real> offset(0);
     Vec3<Real> rest(0);
-    Vec3<Real> offset = start_from(ray, anchor);
     for (int i = 0; i < 3; ++i) {
-        if (half.normal[i] == 0) std::swap(rest[i], offset[i]);
+        const bool across = half.normal[i] != 0;
+        anchor[i] = across ? half.point[i] : ray.origin[i];
+        offset[i] = (across ? rel[i] : Real(0)) + t * ray.dir[i];
+        rest[i] = across ? Real(0) : ray.origin_lo[i];
     }
-    offset += t * ray.dir;
     offset -= dot(half.normal, offset) * half.normal;
     const Real error = gamma<Real>(4) * dot(absolute(half.normal), absolute(offset));
     return {anchor, offset, error, half.normal, half.normal, Vec2<Real>(0), rest};

@@ -11,6 +11,15 @@ struct TriangleSheet {
     Vec3<Real> b;
     Vec3<Real> c;
     Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
+
+    /// The largest size of a coordinate.
+    Real reach() const {
+        Vec3<Real> most = absolute(a);
+        for (const Vec3<Real>& corner : {absolute(b), absolute(c)}) {
+            for (int i = 0; i < 3; ++i) most[i] = corner[i] > most[i] ? corner[i] : most[i];
+        }
+        return max_component(most);
+    }
 };
 
 template <class Real>
@@ -54,6 +63,33 @@ Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real placed, con
            gamma<Real>(3) * abs(t);
 }
 
+/// A triangle after the shear: where its corners lie across the ray.
+template <class Real>
+struct Sheared {
+    Real ax, ay, bx, by, cx, cy;
+
+    /// \param a, b, c  the corners relative to the ray's start
+    Sheared(const Shear<Real>& s, const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c)
+        : ax(a[s.x] - s.sx * a[s.z]),
+          ay(a[s.y] - s.sy * a[s.z]),
+          bx(b[s.x] - s.sx * b[s.z]),
+          by(b[s.y] - s.sy * b[s.z]),
+          cx(c[s.x] - s.sx * c[s.z]),
+          cy(c[s.y] - s.sy * c[s.z]) {}
+
+    /// Whether the ray passes by: the edge functions have both signs, by more than `noise`.
+    bool passes_by(Real noise) const {
+        const Real u = cx * by - cy * bx;
+        const Real v = ax * cy - ay * cx;
+        const Real w = bx * ay - by * ax;
+        const Real uv_least = u < v ? u : v;
+        const Real uv_most = u < v ? v : u;
+        const Real least = uv_least < w ? uv_least : w;
+        const Real most = uv_most > w ? uv_most : w;
+        return least < -noise && most > noise;
+    }
+};
+
 /// Watertight: of two triangles that share an edge, a line that passes between their other corners
 /// hits at least one, because both form the same products at the shared edge and zero counts as
 /// inside. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1) 2013; an
@@ -62,21 +98,17 @@ Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real placed, con
 ///
 /// Returns false for a hit outside of the stretch, too.
 template <class Real, class Last>
-bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& s,
-               const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
+[[gnu::noinline]] bool intersect_exactly(const TriangleSheet<Real>& triangle, const Ray<Real>& ray,
+                                         const Shear<Real>& s, const Stretch<Real, Last>& stretch,
+                                         TriangleHit<Real>& hit) {
     using std::abs;
     const Vec3<Real> a = -start_from(ray, triangle.a);
     const Vec3<Real> b = -start_from(ray, triangle.b);
     const Vec3<Real> c = -start_from(ray, triangle.c);
-    const Real ax = a[s.x] - s.sx * a[s.z];
-    const Real ay = a[s.y] - s.sy * a[s.z];
-    const Real bx = b[s.x] - s.sx * b[s.z];
-    const Real by = b[s.y] - s.sy * b[s.z];
-    const Real cx = c[s.x] - s.sx * c[s.z];
-    const Real cy = c[s.y] - s.sy * c[s.z];
-    const Real u = signed_difference_of_products(cx, by, cy, bx);
-    const Real v = signed_difference_of_products(ax, cy, ay, cx);
-    const Real w = signed_difference_of_products(bx, ay, by, ax);
+    const Sheared<Real> p(s, a, b, c);
+    const Real u = signed_difference_of_products(p.cx, p.by, p.cy, p.bx);
+    const Real v = signed_difference_of_products(p.ax, p.cy, p.ay, p.cx);
+    const Real w = signed_difference_of_products(p.bx, p.ay, p.by, p.ax);
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
     const Real det = u + v + w;
     if (det == 0) return false;
@@ -88,14 +120,25 @@ bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const 
     if (stretch.ends_before(t)) return false;
 
     hit.t = t;
-    hit.error = triangle_error(ray, s, triangle.placed, a, b, c, det, t,
-                               {(abs(cx * by) + abs(cy * bx)), (abs(ax * cy) + abs(ay * cx)),
-                                (abs(bx * ay) + abs(by * ax))},
-                               {az, bz, cz});
+    hit.error =
+        triangle_error(ray, s, triangle.placed, a, b, c, det, t,
+                       {abs(p.cx * p.by) + abs(p.cy * p.bx), abs(p.ax * p.cy) + abs(p.ay * p.cx),
+                        abs(p.bx * p.ay) + abs(p.by * p.ax)},
+                       {az, bz, cz});
     hit.u = v / det;
     hit.v = w / det;
     hit.entering = det > 0;
     return t + hit.error >= stretch.first;
+}
+
+/// The same. Most triangles are told apart by plain differences, before those of a start of two
+/// numbers: see edge_noise().
+template <class Real, class Last>
+bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& s,
+               const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
+    const Sheared<Real> plain(s, triangle.a - ray.origin, triangle.b - ray.origin,
+                              triangle.c - ray.origin);
+    return !plain.passes_by(s.noise) && intersect_exactly(triangle, ray, s, stretch, hit);
 }
 
 /// A bound on the distance from the plane of edges `ab`, `ac` of a point computed as u ab + v ac:

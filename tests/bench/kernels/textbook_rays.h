@@ -15,12 +15,12 @@ Shear<Real> shear_of(const Ray<Real>&) {
 }
 
 template <methods::Places Real>
-VectorSum<Real> two_sum(const Vec3<Real>& a, const Vec3<Real>& b) {
+[[gnu::always_inline]] inline VectorSum<Real> two_sum(const Vec3<Real>& a, const Vec3<Real>& b) {
     return {a + b, Vec3<Real>(0)};
 }
 
 template <methods::Places Real>
-Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
+[[gnu::always_inline]] inline Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
     return ray.origin - point;
 }
 
@@ -30,7 +30,8 @@ Real lost_from_start(const Ray<Real>&, const Vec3<Real>&, int) {
 }
 
 template <methods::Places Real>
-Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>&, const Vec3<Real>& point) {
+[[gnu::always_inline]] inline Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>&,
+                                                    const Vec3<Real>& point) {
     return hi - point;
 }
 

@@ -7,25 +7,7 @@
 
 namespace lancer {
 
-// Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986: without the low part of the origin and
-// without widening.
-
-template <methods::Tree Real>
-void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis, const SlabRay<Real>& ray,
-                  Four<Real>& near, Four<Real>& far) {
-    const Four<Real> enter(ray.negative ? node.max[axis] : node.min[axis]);
-    const Four<Real> leave(ray.negative ? node.min[axis] : node.max[axis]);
-    const Four<Real> origin(ray.enter);
-    const Four<Real> inv(ray.inv_dir);
-    near = larger((enter - origin) * inv, near);
-    far = smaller((leave - origin) * inv, far);
-}
-
-template <methods::Tree Real>
-SlabRay<Real> slab_ray(const Ray<Real>& ray, int axis) {
-    const Real inv = ray.inv_dir[axis];
-    return {ray.origin[axis], ray.origin[axis], inv, signbit(inv)};
-}
+// Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986: without widening.
 
 template <methods::Tree Real>
 Four<Real> widened_far(const Four<Real>& far) {
