@@ -139,7 +139,8 @@ void primitive_crossings(const World<Real>& world, std::uint32_t index, const Ra
                 using S = std::decay_t<decltype(solid)>;
                 if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
                               std::is_same_v<S, PatchSolid<Real>> ||
-                              std::is_same_v<S, BicubicSolid<Real>>) {
+                              std::is_same_v<S, BicubicSolid<Real>> ||
+                              std::is_same_v<S, FacetSolid<Real>>) {
                     crossings(solid, ray, known, stretch, report);
                 } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
                     TriangleHit<Real> hit;

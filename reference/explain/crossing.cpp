@@ -77,7 +77,25 @@ EdgeKind kind_of(const Step& step) {
     return a.path != b.path ? EdgeKind::secondary : EdgeKind::texture;
 }
 
+/// The ends of the looks, off the axes, along which exact edges like to lie.
+Point looked_at(const Point& centre, int direction, double radius) {
+    const double angle = (direction + 0.37) * tau / directions;
+    return {centre.x + radius * elementary::cos(angle), centre.y + radius * elementary::sin(angle)};
+}
+
 }  // namespace
+
+bool is_reached_within(const Probe& probe, double x, double y, const Color& theirs, double radius,
+                       double tolerance) {
+    constexpr int looks = 16;
+    for (int i = 0; i < directions; ++i) {
+        for (int j = 1; j <= looks; ++j) {
+            const Point p = looked_at({x, y}, i, radius * j / looks);
+            if (distance(probe(p.x, p.y).color, theirs) <= tolerance) return true;
+        }
+    }
+    return false;
+}
 
 std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, const Color& theirs,
                                       double radius, double tolerance) {
@@ -88,10 +106,7 @@ std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, co
     bool changes = false;
     for (const double ring : rings) {
         for (int i = 0; i < directions; ++i) {
-            // Off the axes, along which exact edges like to lie.
-            const double angle = (i + 0.37) * tau / directions;
-            const Point end{x + radius * ring * elementary::cos(angle),
-                            y + radius * ring * elementary::sin(angle)};
+            const Point end = looked_at(centre, i, radius * ring);
             const ProbeSample at_end = probe(end.x, end.y);
             changes = changes || at_end.path != at_centre.path ||
                       distance(at_end.color, at_centre.color) > 0.1 * difference;

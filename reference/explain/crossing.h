@@ -30,4 +30,9 @@ struct Crossing {
 std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, const Color& theirs,
                                       double radius, double tolerance);
 
+/// Whether our picture takes the value `theirs`, to within `tolerance`, within `radius` pixels of
+/// (x, y), by whatever change.
+bool is_reached_within(const Probe& probe, double x, double y, const Color& theirs, double radius,
+                       double tolerance);
+
 }  // namespace lancer::reference

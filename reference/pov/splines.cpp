@@ -217,6 +217,7 @@ bool open_patch(Writer& writer, const Object& object, const Patch& patch, PowerO
         }
     // The same for all patches of a net, or their common edges would gape.
     const int steps = halvings(writer.scene, bend, size);
+    writer.result.rules.patch_halvings[std::get<PatchRef>(object.shape).patch] = steps;
     writer.approximate(
         object.place,
         fmt::format("patch as {0} x {0} x 2 triangles per bicubic patch", std::size_t(1) << steps));
