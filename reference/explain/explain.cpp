@@ -62,6 +62,21 @@ void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limit
     }
 }
 
+/// The picture, where registration looks, as the rules have it: a rule that dims a slope would else
+/// pass for a shift.
+Image drawn_anew(Image picture, const Probe& by_rules, const Mask& skip) {
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            if (skip[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                     static_cast<std::size_t>(x)] != 0)
+                continue;
+            const Color color = by_rules(x + 0.5, y + 0.5).color;
+            for (int c = 0; c < 3; ++c) picture.pixel(x, y)[c] = color[c];
+        }
+    }
+    return picture;
+}
+
 /// Everything that is told about pixels away from edges.
 void measure_interior(Judgement& result, const Mask& edges, const std::vector<double>& differences,
                       const Thresholds& limits) {
@@ -211,7 +226,9 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
 
     measure_interior(result, edges, differences, limits);
     result.edge_shift = mean_offset(offsets);
-    result.picture_shift = register_pictures(ours, theirs, skip);
+    const bool by_rules_too = look_by_rules && result.count(PixelClass::known) > 0;
+    result.picture_shift = register_pictures(
+        by_rules_too ? drawn_anew(ours, look_by_rules, skip) : ours, theirs, skip);
     decide(result, limits);
     return result;
 }
