@@ -75,6 +75,42 @@ TEST_F(ByRule, AbsorptionNestedIsKnown) {
     expect_known(scene, Rule::absorption_nested, 500);
 }
 
+/// A ball of a few facets with the normals of a true one.
+Mesh faceted_ball(std::uint32_t rings, std::uint32_t slices) {
+    Mesh mesh;
+    mesh.vertices.push_back({0, 1, 0});
+    for (std::uint32_t i = 1; i < rings; ++i) {
+        for (std::uint32_t j = 0; j < slices; ++j) {
+            const double polar = 0.5 * tau * i / rings;
+            const double around = tau * j / slices;
+            mesh.vertices.push_back({std::sin(polar) * std::cos(around), std::cos(polar),
+                                     std::sin(polar) * std::sin(around)});
+        }
+    }
+    mesh.vertices.push_back({0, -1, 0});
+    const auto at = [&](std::uint32_t i, std::uint32_t j) {
+        if (i == 0) return 0U;
+        return i == rings ? 1 + (rings - 1) * slices : 1 + (i - 1) * slices + j % slices;
+    };
+    for (std::uint32_t i = 0; i < rings; ++i) {
+        for (std::uint32_t j = 0; j < slices; ++j) {
+            if (i + 1 < rings) mesh.faces.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+            if (i > 0) mesh.faces.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+        }
+    }
+    mesh.normals = mesh.vertices;
+    return mesh;
+}
+
+TEST_F(ByRule, AbsorptionInSmoothMeshesIsKnown) {
+    Scene scene = wall_scene();
+    scene.meshes.push_back(std::make_shared<Mesh>(faceted_ball(6, 8)));
+    Material tinted = glass(1.5);
+    tinted.absorption = {0.5, 0.3, 0.1};
+    add_object(scene, MeshRef{0, true}, add_material(scene, tinted));
+    expect_known(scene, Rule::absorption_smooth, 50);
+}
+
 TEST_F(ByRule, LightFromBehindIsKnown) {
     Scene scene = wall_scene();
     Material paper = glass(1, 0.3);
@@ -141,6 +177,14 @@ TEST_F(ByRule, HitsAndShadowsTooNearAreKnown) {
     add_object(scene, Triangle{corners}, add_material(scene, filter));
     ASSERT_EQ(1 / export_pov(scene, {0, 160, 120}).factor, unit);
     expect_known(scene, Rule::small_features, 1000);
+}
+
+TEST_F(ByRule, WhatIsTooFarAwayIsKnown) {
+    Scene scene = wall_scene();
+    scene.objects.clear();
+    for (int i = 0; i < 3; ++i) add_object(scene, Sphere{{0.5 * i - 0.5, -0.5, 0}, 0.2});
+    add_object(scene, Sphere{{0, 0, -3e7}, 1e7});
+    expect_known(scene, Rule::far_away, 1000);
 }
 
 TEST_F(ByRule, PatchFacetsAreKnown) {
