@@ -85,16 +85,33 @@ Point looked_at(const Point& centre, int direction, double radius) {
 
 }  // namespace
 
-bool is_reached_within(const Probe& probe, double x, double y, const Color& theirs, double radius,
-                       double tolerance) {
-    constexpr int looks = 16;
+std::optional<double> reached_at(const Probe& probe, double x, double y, const Color& theirs,
+                                 double radius, double tolerance) {
+    const Color ours = probe(x, y).color;
+    const Color way = theirs - ours;
+    // 0 at the centre, 1 where the value is reached.
+    const auto share = [&](const Color& color) { return dot(color - ours, way) / dot(way, way); };
+    std::optional<double> nearest;
     for (int i = 0; i < directions; ++i) {
-        for (int j = 1; j <= looks; ++j) {
-            const Point p = looked_at({x, y}, i, radius * j / looks);
-            if (distance(probe(p.x, p.y).color, theirs) <= tolerance) return true;
+        const auto color_at = [&](double far) {
+            const Point p = looked_at({x, y}, i, far);
+            return probe(p.x, p.y).color;
+        };
+        double before = 0;
+        double beyond = std::ldexp(radius, -20);
+        while (beyond <= radius && share(color_at(beyond)) < 1) {
+            before = beyond;
+            beyond *= 2;
         }
+        if (beyond > radius) continue;
+        for (int step = 0; step < 20; ++step) {
+            const double middle = 0.5 * (before + beyond);
+            (share(color_at(middle)) < 1 ? before : beyond) = middle;
+        }
+        if (distance(color_at(beyond), theirs) <= tolerance && (!nearest || beyond < *nearest))
+            nearest = beyond;
     }
-    return false;
+    return nearest;
 }
 
 std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, const Color& theirs,

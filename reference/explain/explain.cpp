@@ -57,7 +57,7 @@ void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limit
     if (crossing) {
         pixel.pixel_class = class_of(crossing->kind);
         pixel.offset = {crossing->dx, crossing->dy};
-    } else if (is_reached_within(probe, x, y, pixel.theirs, limits.digits, limits.interior)) {
+    } else if (reached_at(probe, x, y, pixel.theirs, limits.digits, limits.interior)) {
         pixel.pixel_class = PixelClass::steep;
     }
 }

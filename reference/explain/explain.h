@@ -31,8 +31,8 @@ struct Thresholds {
     /// ... and at most this share by an edge further away than rounding can put it.
     double displaced_share = 0.001;
     double rounding = 1e-4;  ///< pixels
-    /// So far, in pixels, the last digits of double precision move what a ray is aimed at.
-    double digits = 1e-10;
+    /// So far, in pixels, the digits that POV-Ray's solver leaves move what a ray is aimed at.
+    double digits = 1e-7;
     /// The pictures may be shifted against each other by less than this many pixels.
     double shift = 1e-3;
 };
@@ -43,7 +43,7 @@ enum class PixelClass : std::uint8_t {
     shadow,
     texture,
     secondary,
-    steep,        ///< explained: the sixteenth digit of the ray decides what it brings
+    steep,        ///< explained: the last digits of the ray decide what it brings
     known,        ///< what the other program does otherwise by a rule of its own
     unexplained,  ///< a mistake, or not looked at for want of rays
 };

@@ -212,10 +212,10 @@ Judgement judge_slope(double slope) {
 }
 
 TEST(Judge, ExplainsASlopeOnlyWhenTheLastDigitsDecide) {
-    const Judgement steep = judge_slope(1e7);  // 5e-11 pixel
+    const Judgement steep = judge_slope(1e4);  // 5e-8 pixel
     EXPECT_EQ(steep.count(PixelClass::steep), 1u) << summary(steep);
     EXPECT_TRUE(steep.pass) << summary(steep);
-    const Judgement slope = judge_slope(1e6);  // 5e-10 pixel
+    const Judgement slope = judge_slope(1e3);  // 5e-7 pixel
     EXPECT_EQ(slope.count(PixelClass::unexplained), 1u) << summary(slope);
     EXPECT_FALSE(slope.pass);
 }

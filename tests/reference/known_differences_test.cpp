@@ -172,8 +172,8 @@ TEST_F(ByRule, HitsAndShadowsTooNearAreKnown) {
     const std::uint32_t paper = add_material(scene, matt);
     add_object(scene, Box{{0.2, -1, -0.5}, {1.2, 1, 0}}, paper);
     Material filter = glass(1, 0.5);
-    const std::array<Vec3d, 3> corners{Vec3d(0.3, -0.8, 7e-4 * unit), Vec3d(1.1, -0.8, 7e-4 * unit),
-                                       Vec3d(0.7, 0.8, 7e-4 * unit)};
+    const std::array<Vec3d, 3> corners{Vec3d(0.3, -0.8, 4e-4 * unit), Vec3d(1.1, -0.8, 4e-4 * unit),
+                                       Vec3d(0.7, 0.8, 4e-4 * unit)};
     add_object(scene, Triangle{corners}, add_material(scene, filter));
     ASSERT_EQ(1 / export_pov(scene, {0, 160, 120}).factor, unit);
     expect_known(scene, Rule::small_features, 1000);
