@@ -16,6 +16,15 @@ reference::Probe probe_of(const std::shared_ptr<const Renderer>& renderer, const
     };
 }
 
+/// Compiles when it is first asked: most pictures have no pixel to ask about.
+reference::Probe probe_by_rules(const std::shared_ptr<const Scene>& scene, const View& view,
+                                const PovRayRules& rules) {
+    return [scene, view, rules, probe = reference::Probe()](double x, double y) mutable {
+        if (!probe) probe = probe_of(compile_by_povray(*scene, scene->settings, rules), view);
+        return probe(x, y);
+    };
+}
+
 }  // namespace
 
 reference::OurPicture render_ours(const Scene& scene, const reference::ExportView& exported) {
@@ -34,8 +43,8 @@ reference::OurPicture render_ours(const Scene& scene, const reference::ExportVie
     picture.seconds = watch.seconds();
     picture.rays = rays.rays();
     picture.probe = probe_of(renderer, view);
-    view.absorption_by_povray = true;
-    picture.probe_by_rules = probe_of(renderer, view);
+    picture.by_rules = [view, scene = std::make_shared<const Scene>(scene)](
+                           const PovRayRules& rules) { return probe_by_rules(scene, view, rules); };
     return picture;
 }
 

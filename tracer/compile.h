@@ -27,8 +27,11 @@ inline constexpr int deepest = 1000;
 template <class Real>
 class Compiler {
   public:
-    Compiler(const Scene& scene, const Settings& settings)
-        : scene_(scene), settings_(settings), world_(std::make_unique<World<Real>>()) {
+    Compiler(const Scene& scene, const Settings& settings, const PovRayRules* by_povray)
+        : scene_(scene),
+          settings_(settings),
+          by_povray_(by_povray),
+          world_(std::make_unique<World<Real>>()) {
         threads_ = settings.threads > 0 ? settings.threads
                                         : static_cast<int>(std::thread::hardware_concurrency());
     }
@@ -135,7 +138,7 @@ class Compiler {
         std::vector<Primitive<Real>> unbounded;
         std::vector<Primitive<Real>>& bounded = world_->primitives;
         bounded.reserve(scene_.objects.size());
-        Solids<Real> solids(scene_, settings_, *world_);
+        Solids<Real> solids(scene_, settings_, by_povray_, *world_);
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
             const Object& object = scene_.objects[i];
             if (is_nothing(object.shape)) continue;
@@ -266,15 +269,19 @@ class Compiler {
 
     const Scene& scene_;
     const Settings& settings_;
+    const PovRayRules* by_povray_;
     std::unique_ptr<World<Real>> world_;
     int threads_ = 1;
 };
 
 /// Compiles for one number type. Throws SceneError at the place of what cannot be rendered: a
 /// coordinate or colour that leaves the type's range.
+///
+/// \param by_povray  null, or by whose rules the shapes are drawn
 template <class Real>
-std::unique_ptr<World<Real>> compile_world(const Scene& scene, const Settings& settings) {
-    return Compiler<Real>(scene, settings).run();
+std::unique_ptr<World<Real>> compile_world(const Scene& scene, const Settings& settings,
+                                           const PovRayRules* by_povray = nullptr) {
+    return Compiler<Real>(scene, settings, by_povray).run();
 }
 
 }  // namespace lancer

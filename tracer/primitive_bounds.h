@@ -62,6 +62,14 @@ Bounds<Real> solid_bounds(const BicubicSolid<Real>& s) {
 }
 
 template <class Real>
+Bounds<Real> solid_bounds(const FacetSolid<Real>& s) {
+    Bounds<Real> b;
+    for (const auto& home : s.surface->homes)
+        for (const Vec3<Real>& p : home.points) b.extend(p);
+    return b;
+}
+
+template <class Real>
 Bounds<Real> solid_bounds(const LatheSolid<Real>& s) {
     const splines::Curve<Real>& c = s.surface->curve;
     Bounds<Real> b{Vec3<Real>(-c.max.x, c.min.y, -c.max.x), Vec3<Real>(c.max.x, c.max.y, c.max.x)};

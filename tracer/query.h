@@ -140,7 +140,8 @@ void solid_crossings(const Solid<Real>& solid, const Ray<Real>& ray, Known known
             using S = std::decay_t<decltype(shape)>;
             if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
                           std::is_same_v<S, PatchSolid<Real>> ||
-                          std::is_same_v<S, BicubicSolid<Real>>) {
+                          std::is_same_v<S, BicubicSolid<Real>> ||
+                          std::is_same_v<S, FacetSolid<Real>>) {
                 crossings(shape, ray, known, stretch, report);
             } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
                 TriangleHit<Real> hit;

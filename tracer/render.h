@@ -8,6 +8,7 @@
 #include <string>
 
 #include "model/image.h"
+#include "model/povray_rules.h"
 #include "model/scene.h"
 #include "model/settings.h"
 #include "model/shapes.h"
@@ -28,10 +29,7 @@ struct View {
     int width = 640;
     int height = 480;
     std::optional<Crop> crop;  ///< only these pixels; the result has the crop's size
-    /// For the judge: absorption as POV-Ray 3.7 has it, which dims what passes through a body's far
-    /// side but neither what that side shows or mirrors nor a stretch that ends on another object.
-    bool absorption_by_povray = false;
-    bool aov = false;  ///< also object id, depth, normal and shadow, see render()
+    bool aov = false;          ///< also object id, depth, normal and shadow, see render()
 };
 
 /// Exact counts of one render() call.
@@ -93,5 +91,10 @@ class Renderer {
 /// Builds what rendering needs. Throws SceneError, e.g. for coordinates that leave the number
 /// type's range.
 std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings);
+
+/// For the judge: a renderer that traces by POV-Ray's rules (tracer/povray_recursion.h), in double
+/// precision. Throws SceneError as compile() does.
+std::unique_ptr<Renderer> compile_by_povray(const Scene& scene, const Settings& settings,
+                                            const PovRayRules& rules);
 
 }  // namespace lancer

@@ -7,4 +7,9 @@ std::unique_ptr<Renderer> compile_double(const Scene& scene, const Settings& set
     return std::make_unique<RendererOf<double>>(scene, settings);
 }
 
+std::unique_ptr<Renderer> compile_by_povray(const Scene& scene, const Settings& settings,
+                                            const PovRayRules& rules) {
+    return std::make_unique<RendererOf<double>>(scene, settings, rules);
+}
+
 }  // namespace lancer

@@ -10,6 +10,7 @@
 #include "tracer/compile.h"
 #include "tracer/far_camera.h"
 #include "tracer/parallel.h"
+#include "tracer/povray_recursion.h"
 #include "tracer/whitted.h"
 
 namespace lancer {
@@ -19,6 +20,10 @@ class RendererOf final : public Renderer {
   public:
     RendererOf(const Scene& scene, const Settings& settings)
         : world_(compile_world<Real>(scene, settings)), cameras_(scene.cameras) {}
+    RendererOf(const Scene& scene, const Settings& settings, const PovRayRules& by_povray)
+        : world_(compile_world<Real>(scene, settings, &by_povray)),
+          cameras_(scene.cameras),
+          povray_unit_(ldexp(static_cast<Real>(by_povray.unit), world_->scale_exponent)) {}
 
     Image render(const View& view, const Progress& progress, RayCounts& counts) const override {
         const Crop crop = view.crop.value_or(Crop{0, 0, view.width, view.height});
@@ -33,7 +38,7 @@ class RendererOf final : public Renderer {
         std::mutex merging;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
-            with_tracer(view, [&](auto& tracer) {
+            with_tracer([&](auto& tracer) {
                 for (int index = 0; next_task(index);) {
                     const int left = index % across * tile;
                     const int top = index / across * tile;
@@ -54,7 +59,7 @@ class RendererOf final : public Renderer {
         Witness<Real> witness;
         const Lens<Real> lens = lens_of(view);
         Probe probe;
-        with_tracer(view, [&](auto& tracer) {
+        with_tracer([&](auto& tracer) {
             probe.color = convert<double>(
                 sample(tracer, lens, view, static_cast<Real>(x), static_cast<Real>(y), &witness));
             probe.rays = tracer.counts().rays();
@@ -95,9 +100,16 @@ class RendererOf final : public Renderer {
 
     /// Calls work(tracer) with a tracer that does what this world requires, and no more.
     template <class Work>
-    void with_tracer(const View& view, Work&& work) const {
+    void with_tracer(Work&& work) const {
+        if constexpr (std::is_same_v<Real, double>) {
+            if (povray_unit_) {
+                PovRayTracer<Real> tracer(*world_, *povray_unit_);
+                work(tracer);
+                return;
+            }
+        }
         if (world_->has_media || world_->has_transmission) {
-            Whitted<Real> tracer(*world_, view.absorption_by_povray);
+            Whitted<Real> tracer(*world_);
             work(tracer);
         } else {
             OpaqueTracer<Real> tracer(*world_);
@@ -167,7 +179,7 @@ class RendererOf final : public Renderer {
     /// By a ray of its own through the centre, which no count shows.
     void fill_aov(double* out, const Lens<Real>& lens, const View& view, int x, int y) const {
         Witness<Real> witness;
-        with_tracer(view, [&](auto& tracer) {
+        with_tracer([&](auto& tracer) {
             sample(tracer, lens, view, static_cast<Real>(x) + Real(0.5),
                    static_cast<Real>(y) + Real(0.5), &witness);
         });
@@ -185,6 +197,7 @@ class RendererOf final : public Renderer {
 
     std::unique_ptr<World<Real>> world_;
     std::vector<Camera> cameras_;
+    std::optional<Real> povray_unit_;  ///< set: rays are traced by POV-Ray's rules
 };
 
 }  // namespace lancer

@@ -9,6 +9,8 @@
 #include <tuple>
 
 #include "model/diagnostic.h"
+#include "model/patch_net.h"
+#include "model/povray_rules.h"
 #include "model/splines.h"
 #include "tracer/scale.h"
 #include "tracer/splines/tessellate.h"
@@ -41,9 +43,12 @@ Real size_of(const Solid<Real>& solid) {
 template <class Real>
 class Solids {
   public:
-    Solids(const Scene& scene, const Settings& settings, World<Real>& world)
+    /// \param by_povray  null, or by whose rules patches are drawn
+    Solids(const Scene& scene, const Settings& settings, const PovRayRules* by_povray,
+           World<Real>& world)
         : scene_(scene),
           settings_(settings),
+          by_povray_(by_povray),
           world_(world),
           tessellated_(settings.tolerance || std::ranges::any_of(scene.patches, [](const Patch& p) {
                            return p.tolerance.has_value();
@@ -305,6 +310,7 @@ class Solids {
 
     Solid<Real> solid(const PatchRef& ref, int own, const Affine<Real>& map,
                       const TriangleMesh<Real>*, Primitive<Real>& p) {
+        if (by_povray_ != nullptr) return facets(ref);
         if (!is_identity(map)) add_frame(map, p);
         if (!tessellated_) return bicubic(ref, own);
         const auto tolerance = own_tolerance(*object_, ref);
@@ -346,6 +352,30 @@ class Solids {
         return BicubicSolid<Real>{surface};
     }
 
+    /// POV-Ray moves the control points to their place before it does anything else.
+    Solid<Real> facets(const PatchRef& ref) {
+        const BezierNet net = bezier_net(scene_.patches[ref.patch]);
+        const Affine<double>& to_world = scene_.transforms[object_->transform];
+        auto surface = std::make_unique<FacetSurface<Real>>();
+        surface->columns = static_cast<Real>(net.columns);
+        surface->rows = static_cast<Real>(net.rows);
+        surface->halvings = by_povray_->patch_halvings[ref.patch];
+        for (std::size_t i = 0; i < net.rows; ++i) {
+            for (std::size_t j = 0; j < net.columns; ++j) {
+                typename FacetSurface<Real>::Home home;
+                const BezierPatch from = net.patch(i, j);
+                for (std::size_t k = 0; k < 16; ++k)
+                    home.points[k] =
+                        convert<Real>(scaled(map_point(to_world, from[k]), world_.scale_exponent));
+                home.column = static_cast<Real>(j);
+                home.row = static_cast<Real>(i);
+                surface->homes.push_back(home);
+            }
+        }
+        world_.facets.push_back(std::move(surface));
+        return FacetSolid<Real>{world_.facets.back().get()};
+    }
+
     /// The tolerance of a patch in its own space: the strictest of what is asked of it. That of the
     /// settings is in world units; a shape's own holds in both, so that no reading of it is broken.
     std::optional<double> own_tolerance(const Object& object, const PatchRef& ref) const {
@@ -383,6 +413,7 @@ class Solids {
 
     const Scene& scene_;
     const Settings& settings_;
+    const PovRayRules* by_povray_;
     World<Real>& world_;
     /// Patches are triangles where anybody asks for a tolerance, else met on their true surface.
     /// All in one way: between a triangle and its neighbour's true border light would pass.

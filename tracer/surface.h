@@ -44,6 +44,8 @@ SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& 
                 return patch_point(solid, hit.surface.face, hit.u, hit.v);
             } else if constexpr (std::is_same_v<S, BicubicSolid<Real>>) {
                 return bicubic_point(solid, hit.surface.face, hit.u, hit.v);
+            } else if constexpr (std::is_same_v<S, FacetSolid<Real>>) {
+                return facet_point(solid, hit.surface.face, hit.u, hit.v);
             } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
                 SurfacePoint<Real> p = triangle_point(solid, hit.u, hit.v);
                 if (primitive.corner_normals != none) {

@@ -18,8 +18,7 @@ inline constexpr int max_straight_passes = 1000;
 template <class Real>
 class Whitted {
   public:
-    explicit Whitted(const World<Real>& world, bool absorption_by_povray = false)
-        : world_(world), absorption_by_povray_(absorption_by_povray), lighting_(world) {}
+    explicit Whitted(const World<Real>& world) : world_(world), lighting_(world) {}
 
     const RayCounts& counts() const { return lighting_.counts; }
 
@@ -55,11 +54,9 @@ class Whitted {
                 return result + through * passed_forever(media) * world_.background;
             }
             const Real t = contact.front().t;
-            Vec3<Real> dimmed(1);
             if (world_.has_media) {
                 counts.media_lost += drop_lost(world_, media.bodies, ray, t);
-                dimmed = absorbed_between(media, start.t, t);
-                if (!absorption_by_povray_) through = through * dimmed;
+                through = through * absorbed_between(media, start.t, t);
             }
             order_contact(world_, contact);
             SurfaceList touched;
@@ -78,8 +75,6 @@ class Whitted {
             }
             if (share.ended) return result;
             through = through * share.light;
-            if (absorption_by_povray_ && is_dimmed_by_povray(surfaces, media, c.total))
-                through = through * dimmed;
             weight *= share.weight;
             if (c.ratio == 1) {
                 if (++straight_passes > max_straight_passes) return result;
@@ -111,14 +106,6 @@ class Whitted {
     }
 
     using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
-
-    /// Whether POV-Ray dims what passes: when the stretch ends on the medium's own body. A total
-    /// reflection that Fresnel's equations give is to POV-Ray a mirror's, which it does not dim.
-    bool is_dimmed_by_povray(const Surfaces& surfaces, const Media& media, bool total) const {
-        if (surfaces.empty()) return true;
-        const Finish<Real>* finish = surfaces.front().finish;
-        return finish == medium_of(world_, absorbing(media)) && !(total && finish->fresnel);
-    }
 
     /// The surfaces of an ordered contact that show: an opaque one hides all others.
     Surfaces resolve(const Contact<Real>& contact, const Ray<Real>& ray) const {
@@ -199,22 +186,16 @@ class Whitted {
         return opaque_reflectance(s, c.ray.dir, index_of(world_, c.before));
     }
 
-    /// The bodies of which the last absorbs. POV-Ray has but one list.
-    const MediaList& absorbing(const Media& media) const {
-        return absorption_by_povray_ ? optical_of(world_, media) : media.bodies;
-    }
     Vec3<Real> absorbed_between(const Media& media, Real from, Real to) const {
-        const Finish<Real>* medium = medium_of(world_, absorbing(media));
+        const Finish<Real>* medium = medium_of(world_, media.bodies);
         if (medium == nullptr || !medium->absorbs) return Vec3<Real>(1);
         return absorbed(medium->absorption, to - from);
     }
     Vec3<Real> passed_forever(const Media& media) const {
-        if (absorption_by_povray_) return Vec3<Real>(1);
         return absorbed_between(media, 0, std::numeric_limits<Real>::infinity());
     }
 
     const World<Real>& world_;
-    bool absorption_by_povray_;
     CameraMedia<Real> origins_;
     Lighting<Real, Media> lighting_;
 };

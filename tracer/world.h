@@ -11,6 +11,7 @@
 #include "tracer/bvh.h"
 #include "tracer/shapes/bicubic.h"
 #include "tracer/shapes/box.h"
+#include "tracer/shapes/facets.h"
 #include "tracer/shapes/frustum.h"
 #include "tracer/shapes/lathe.h"
 #include "tracer/shapes/mesh.h"
@@ -25,9 +26,10 @@ namespace lancer {
 
 /// The tracer's own closed list of shapes, derived from `Shape` by compile.
 template <class Real>
-using Solid = std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
-                           TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>,
-                           BicubicSolid<Real>, LatheSolid<Real>, PrismSolid<Real>>;
+using Solid =
+    std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
+                 TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>, BicubicSolid<Real>,
+                 FacetSolid<Real>, LatheSolid<Real>, PrismSolid<Real>>;
 
 /// Solids that a straight line meets in one piece (a cylinder without caps: its inside).
 template <class Real>
@@ -104,6 +106,7 @@ struct World {
     splines::BorderTolerances patch_borders;  ///< where patches of different tolerances may meet
     std::vector<std::unique_ptr<PatchSurface<Real>>> patches;
     std::vector<std::unique_ptr<BicubicSurface<Real>>> bicubics;
+    std::vector<std::unique_ptr<FacetSurface<Real>>> facets;  ///< patches by POV-Ray's rules
     std::vector<std::unique_ptr<splines::Revolution<Real>>> revolutions;
     std::vector<std::unique_ptr<splines::Extrusion<Real>>> extrusions;
     std::vector<std::array<Vec3<Real>, 3>> corner_normals;  ///< unit, in the primitive's space

@@ -77,7 +77,42 @@ EdgeKind kind_of(const Step& step) {
     return a.path != b.path ? EdgeKind::secondary : EdgeKind::texture;
 }
 
+/// The ends of the looks, off the axes, along which exact edges like to lie.
+Point looked_at(const Point& centre, int direction, double radius) {
+    const double angle = (direction + 0.37) * tau / directions;
+    return {centre.x + radius * elementary::cos(angle), centre.y + radius * elementary::sin(angle)};
+}
+
 }  // namespace
+
+std::optional<double> reached_at(const Probe& probe, double x, double y, const Color& theirs,
+                                 double radius, double tolerance) {
+    const Color ours = probe(x, y).color;
+    const Color way = theirs - ours;
+    // 0 at the centre, 1 where the value is reached.
+    const auto share = [&](const Color& color) { return dot(color - ours, way) / dot(way, way); };
+    std::optional<double> nearest;
+    for (int i = 0; i < directions; ++i) {
+        const auto color_at = [&](double far) {
+            const Point p = looked_at({x, y}, i, far);
+            return probe(p.x, p.y).color;
+        };
+        double before = 0;
+        double beyond = std::ldexp(radius, -20);
+        while (beyond <= radius && share(color_at(beyond)) < 1) {
+            before = beyond;
+            beyond *= 2;
+        }
+        if (beyond > radius) continue;
+        for (int step = 0; step < 20; ++step) {
+            const double middle = 0.5 * (before + beyond);
+            (share(color_at(middle)) < 1 ? before : beyond) = middle;
+        }
+        if (distance(color_at(beyond), theirs) <= tolerance && (!nearest || beyond < *nearest))
+            nearest = beyond;
+    }
+    return nearest;
+}
 
 std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, const Color& theirs,
                                       double radius, double tolerance) {
@@ -88,10 +123,7 @@ std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, co
     bool changes = false;
     for (const double ring : rings) {
         for (int i = 0; i < directions; ++i) {
-            // Off the axes, along which exact edges like to lie.
-            const double angle = (i + 0.37) * tau / directions;
-            const Point end{x + radius * ring * elementary::cos(angle),
-                            y + radius * ring * elementary::sin(angle)};
+            const Point end = looked_at(centre, i, radius * ring);
             const ProbeSample at_end = probe(end.x, end.y);
             changes = changes || at_end.path != at_centre.path ||
                       distance(at_end.color, at_centre.color) > 0.1 * difference;

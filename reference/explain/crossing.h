@@ -30,4 +30,9 @@ struct Crossing {
 std::optional<Crossing> find_crossing(const Probe& probe, double x, double y, const Color& theirs,
                                       double radius, double tolerance);
 
+/// How far from (x, y), in pixels, our picture takes the value `theirs` to within `tolerance`, by
+/// whatever change; nothing when it does not within `radius`.
+std::optional<double> reached_at(const Probe& probe, double x, double y, const Color& theirs,
+                                 double radius, double tolerance);
+
 }  // namespace lancer::reference

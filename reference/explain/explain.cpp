@@ -32,14 +32,18 @@ PixelClass class_of(EdgeKind kind) {
 
 bool is_explained(PixelClass c) {
     return c == PixelClass::silhouette || c == PixelClass::shadow || c == PixelClass::texture ||
-           c == PixelClass::secondary;
+           c == PixelClass::secondary || c == PixelClass::steep;
 }
 
-/// Whether the pixel has exactly the value that the other program's rules give.
-bool is_known(const DifferentPixel& pixel, const Thresholds& limits, const Probe& by_rules) {
+/// Whether our picture is what our renderer gives: were it not, its looks would explain nothing.
+bool is_ours(const DifferentPixel& pixel, const Thresholds& limits, const Probe& probe) {
+    return distance(probe(pixel.x + 0.5, pixel.y + 0.5).color, pixel.ours) <= limits.tight;
+}
+
+/// Whether the pixel has the value that the other program's rules give, to within `tolerance`.
+bool is_known(const DifferentPixel& pixel, double tolerance, const Probe& by_rules) {
     if (!by_rules) return false;
-    const Color expected = by_rules(pixel.x + 0.5, pixel.y + 0.5).color;
-    return distance(expected, pixel.theirs) <= limits.interior;
+    return distance(by_rules(pixel.x + 0.5, pixel.y + 0.5).color, pixel.theirs) <= tolerance;
 }
 
 void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
@@ -50,9 +54,27 @@ void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limit
     // Behind an edge, too, the other program follows its own rules.
     if (!crossing && by_rules)
         crossing = find_crossing(by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
-    if (!crossing) return;
-    pixel.pixel_class = class_of(crossing->kind);
-    pixel.offset = {crossing->dx, crossing->dy};
+    if (crossing) {
+        pixel.pixel_class = class_of(crossing->kind);
+        pixel.offset = {crossing->dx, crossing->dy};
+    } else if (reached_at(probe, x, y, pixel.theirs, limits.digits, limits.interior)) {
+        pixel.pixel_class = PixelClass::steep;
+    }
+}
+
+/// The picture, where registration looks, as the rules have it: a rule that dims a slope would else
+/// pass for a shift.
+Image drawn_anew(Image picture, const Probe& by_rules, const Mask& skip) {
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            if (skip[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                     static_cast<std::size_t>(x)] != 0)
+                continue;
+            const Color color = by_rules(x + 0.5, y + 0.5).color;
+            for (int c = 0; c < 3; ++c) picture.pixel(x, y)[c] = color[c];
+        }
+    }
+    return picture;
 }
 
 /// Everything that is told about pixels away from edges.
@@ -136,6 +158,8 @@ std::string class_name(PixelClass pixel_class) {
             return "texture";
         case PixelClass::secondary:
             return "reflected edge";
+        case PixelClass::steep:
+            return "steep";
         case PixelClass::known:
             return "known difference";
         case PixelClass::unexplained:
@@ -167,19 +191,26 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
     Mask skip = edges;
     std::vector<Offset> offsets;
     for (std::size_t i = 0; i < differences.size(); ++i) {
-        if (differences[i] <= limits.interior) continue;
+        if (differences[i] <= std::min(limits.tight, limits.interior)) continue;
         DifferentPixel pixel;
         pixel.x = static_cast<int>(i % static_cast<std::size_t>(ours.width));
         pixel.y = static_cast<int>(i / static_cast<std::size_t>(ours.width));
         pixel.difference = differences[i];
         pixel.ours = color_at(ours, pixel.x, pixel.y);
         pixel.theirs = color_at(theirs, pixel.x, pixel.y);
+        if (pixel.difference <= limits.interior) {
+            if (result.rays < most_rays && is_known(pixel, limits.tight, look_by_rules) &&
+                is_ours(pixel, limits, look))
+                result.classes[i] = PixelClass::known;
+            continue;
+        }
         if (result.rays >= most_rays) {
             ++result.not_looked_at;
-        } else if (is_known(pixel, limits, look_by_rules)) {
-            pixel.pixel_class = PixelClass::known;
-        } else {
-            classify(pixel, look, limits, look_by_rules);
+        } else if (is_ours(pixel, limits, look)) {
+            if (is_known(pixel, limits.interior, look_by_rules))
+                pixel.pixel_class = PixelClass::known;
+            else
+                classify(pixel, look, limits, look_by_rules);
         }
         if (is_explained(pixel.pixel_class)) {
             offsets.push_back(pixel.offset);
@@ -195,7 +226,9 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
 
     measure_interior(result, edges, differences, limits);
     result.edge_shift = mean_offset(offsets);
-    result.picture_shift = register_pictures(ours, theirs, skip);
+    const bool by_rules_too = look_by_rules && result.count(PixelClass::known) > 0;
+    result.picture_shift = register_pictures(
+        by_rules_too ? drawn_anew(ours, look_by_rules, skip) : ours, theirs, skip);
     decide(result, limits);
     return result;
 }

@@ -31,6 +31,8 @@ struct Thresholds {
     /// ... and at most this share by an edge further away than rounding can put it.
     double displaced_share = 0.001;
     double rounding = 1e-4;  ///< pixels
+    /// So far, in pixels, the digits that POV-Ray's solver leaves move what a ray is aimed at.
+    double digits = 1e-7;
     /// The pictures may be shifted against each other by less than this many pixels.
     double shift = 1e-3;
 };
@@ -41,10 +43,11 @@ enum class PixelClass : std::uint8_t {
     shadow,
     texture,
     secondary,
+    steep,        ///< explained: the last digits of the ray decide what it brings
     known,        ///< what the other program does otherwise by a rule of its own
     unexplained,  ///< a mistake, or not looked at for want of rays
 };
-inline constexpr std::size_t pixel_classes = 7;
+inline constexpr std::size_t pixel_classes = 8;
 std::string class_name(PixelClass pixel_class);
 
 /// A pixel over the interior threshold.

@@ -24,6 +24,7 @@ struct Traits {
     bool passes = false;   ///< light
     bool absorbs = false;  ///< a body in which light fades
     bool smooth = false;   ///< a mesh whose shading normals are not its facets'
+    bool patch = false;
 };
 
 /// Whether a plane passes through a box or touches it.
@@ -51,6 +52,8 @@ class Search {
         find_refraction();
         find_recursion();
         find_sizes();
+        add(Rule::patch_facets, "POV-Ray draws a patch as flat triangles under mixed normals",
+            all([](const Traits& t) { return t.patch; }));
         add(Rule::coincident_surfaces,
             "where surfaces coincide POV-Ray finds one of them by no rule; Lancer resolves them "
             "together",
@@ -75,6 +78,7 @@ class Search {
         t.absorbs = t.body && t.passes && max_component(t.material->absorption) > 0;
         const auto* mesh = std::get_if<MeshRef>(&object.shape);
         t.smooth = mesh != nullptr && mesh->smooth && scene_.settings.smooth;
+        t.patch = std::holds_alternative<PatchRef>(object.shape);
         if (const auto own = shape_bounds(scene_, object.shape)) {
             t.bounds = moved(to_world, *own);
             t.bounds.low = window_(t.bounds.low);
@@ -130,36 +134,55 @@ class Search {
             }));
     }
 
+    static bool bends(const Traits& t) { return t.body && t.passes && t.material->ior != 1; }
+    static bool is_passed_body(const Traits& t) { return t.body && t.passes; }
+    /// Sheets, air, and a body that a ray leaves while it is in another one.
+    bool may_pass_straight(const Traits& t) const {
+        return !t.body || t.material->ior == 1 || meets_another(t, is_passed_body) ||
+               scene_.settings.max_depth == 1;
+    }
+
     void find_refraction() {
-        const auto bends = [](const Traits& t) {
-            return t.body && t.passes && t.material->ior != 1;
-        };
         add(Rule::fresnel_nested,
             "on leaving a body for another one that it is in POV-Ray's Fresnel term takes the "
             "body's "
             "own index for both sides and mirrors nothing",
-            all([&](const Traits& t) {
-                return t.body && t.passes && t.material->fresnel &&
-                       t.material->reflection != Color(0, 0, 0) &&
-                       meets_another(t, [](const Traits& o) { return o.body && o.passes; });
+            all([this](const Traits& t) {
+                return is_passed_body(t) && t.material->fresnel &&
+                       t.material->reflection != Color(0, 0, 0) && meets_another(t, is_passed_body);
             }));
         add(Rule::sheet_in_medium,
             "POV-Ray bends light at a transparent sheet inside a body, because the sheet's ior is "
             "1",
-            all([&](const Traits& t) { return !t.body && t.passes && meets_another(t, bends); }));
+            all([this](const Traits& t) {
+                return !t.body && t.passes && meets_another(t, bends);
+            }));
+        add(Rule::index_single,
+            "POV-Ray keeps indices of refraction, and the ratio of two, in single precision",
+            all([this](const Traits& t) {
+                const double ior = t.material->ior;
+                return bends(t) && (static_cast<double>(static_cast<float>(ior)) != ior ||
+                                    meets_another(t, [&](const Traits& o) {
+                                        return bends(o) && o.material->ior != ior;
+                                    }));
+            }));
     }
 
     void find_recursion() {
         const Settings& settings = scene_.settings;
-        const auto passing = all([](const Traits& t) { return t.passes; });
         auto branching = all(
             [](const Traits& t) { return t.passes || t.material->reflection != Color(0, 0, 0); });
         if (settings.max_depth > 256)
             add(Rule::depth_limit, "POV-Ray follows no ray deeper than 256 levels", branching);
-        if (settings.max_depth == 1)
+        const bool takes_levels =
+            settings.max_depth == 1 || std::any_of(objects_.begin(), objects_.end(), [](auto& t) {
+                return bends(t) || t.material->reflection != Color(0, 0, 0);
+            });
+        if (takes_levels)
             add(Rule::depth_limit,
-                "with one level POV-Ray shows nothing through a surface, not even straight through",
-                passing);
+                "on the last level POV-Ray shows nothing through a surface, not even straight "
+                "through",
+                all([this](const Traits& t) { return t.passes && may_pass_straight(t); }));
         if (settings.min_contribution > 0)
             add(Rule::contribution,
                 "POV-Ray's adc_bailout also drops what passes a surface by the grey value of its "

@@ -49,6 +49,10 @@ std::string rule_name(KnownDifference::Rule rule) {
             return "coincident-surfaces";
         case KnownDifference::Rule::light_from_behind:
             return "light-from-behind";
+        case KnownDifference::Rule::patch_facets:
+            return "patch-facets";
+        case KnownDifference::Rule::index_single:
+            return "index-single";
     }
     return "";
 }
@@ -62,6 +66,8 @@ ExportResult export_pov(const Scene& scene, const ExportView& view, const Export
     pov::Writer writer{scene, view, options, result, window, {}, {}, {}, {}};
     result.factor = window.factor();
     result.decades = window.exponent;
+    result.rules.unit = window.inverse().factor();
+    result.rules.patch_halvings.resize(scene.patches.size());
     result.exposure = options.exposure;
 
     write_header(writer);

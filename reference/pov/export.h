@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/diagnostic.h"
+#include "model/povray_rules.h"
 #include "model/scene.h"
 
 namespace lancer::reference {
@@ -54,6 +55,8 @@ struct KnownDifference {
         far_away,             ///< nothing is seen beyond 1e7
         coincident_surfaces,  ///< faces in one place: one of them is found, by no rule
         light_from_behind,    ///< a shadow ray on the far side starts with the viewer's media
+        patch_facets,         ///< flat triangles under mixed normals
+        index_single,         ///< indices of refraction in single precision
     };
     Rule rule;
     std::string explanation;  ///< one sentence: POV-Ray's rule, and ours
@@ -78,6 +81,7 @@ struct ExportResult {
     double exposure = 1;  ///< as in the options
     std::vector<KnownDifference> known_differences;
     std::vector<Approximation> approximations;
+    PovRayRules rules;  ///< what our renderer needs to follow POV-Ray's rules in this file
     /// Errors, each at its place: what POV-Ray has no word for. Nothing is left out silently.
     std::vector<Diagnostic> refusals;
 };

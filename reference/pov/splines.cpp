@@ -41,9 +41,8 @@ std::vector<Segment> segments(Spline spline, std::size_t count, const Point& poi
     return out;
 }
 
-/// The same curve in twice as many pieces, which keeps its parameter's meaning: POV-Ray solves an
-/// equation of the sixth degree for each piece of a lathe, and solves that of a shorter one better
-/// (docs/export.md). Halving after de Casteljau.
+/// The same curve in twice as many pieces, which keeps its parameter's meaning. Halving after de
+/// Casteljau.
 std::vector<Segment> halved(const std::vector<Segment>& curve) {
     std::vector<Segment> out;
     for (const Segment& s : curve) {
@@ -57,6 +56,13 @@ std::vector<Segment> halved(const std::vector<Segment>& curve) {
         out.push_back({middle, bcd, cd, s[3]});
     }
     return out;
+}
+
+/// POV-Ray solves an equation of the sixth degree for each piece of a lathe, and solves that of a
+/// shorter one better: docs/export.md, "Curved lathes".
+std::vector<Segment> cut_for_lathe(std::vector<Segment> curve) {
+    for (int i = 0; i < 5; ++i) curve = halved(curve);
+    return curve;
 }
 
 void write_points(Text& text, const std::string& head, const std::vector<Vec2d>& points,
@@ -91,10 +97,11 @@ bool open_lathe(Writer& writer, const Lathe& lathe, PowerOfTen own) {
             for (const Vec2d& q : p) points.push_back(own(q));
             break;
         case Spline::bezier:
-            points = flattened(halved(segments(lathe.spline, (p.size() - 1) / 3, point)), own);
+            points =
+                flattened(cut_for_lathe(segments(lathe.spline, (p.size() - 1) / 3, point)), own);
             break;
         case Spline::bspline:
-            points = flattened(halved(segments(lathe.spline, p.size() - 3, point)), own);
+            points = flattened(cut_for_lathe(segments(lathe.spline, p.size() - 3, point)), own);
             break;
     }
     write_points(writer.text, fmt::format("lathe {{ {} {},", spline, points.size()), points, 4);
@@ -217,6 +224,7 @@ bool open_patch(Writer& writer, const Object& object, const Patch& patch, PowerO
         }
     // The same for all patches of a net, or their common edges would gape.
     const int steps = halvings(writer.scene, bend, size);
+    writer.result.rules.patch_halvings[std::get<PatchRef>(object.shape).patch] = steps;
     writer.approximate(
         object.place,
         fmt::format("patch as {0} x {0} x 2 triangles per bicubic patch", std::size_t(1) << steps));

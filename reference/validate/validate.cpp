@@ -41,12 +41,10 @@ Probe exposed(Probe probe, double exposure) {
     };
 }
 
-/// Rules that our renderer can follow for the sake of the argument.
+/// Whether the scene can meet a rule that our renderer can follow for the sake of the argument.
 bool has_followed_rule(const std::vector<KnownDifference>& known) {
     return std::any_of(known.begin(), known.end(), [](const KnownDifference& k) {
-        return k.rule == KnownDifference::Rule::absorption_inside ||
-               k.rule == KnownDifference::Rule::absorption_nested ||
-               k.rule == KnownDifference::Rule::absorption_smooth;
+        return k.rule != KnownDifference::Rule::coincident_surfaces;
     });
 }
 
@@ -72,7 +70,7 @@ bool take_export(Validation& result, const ValidationJob& job, ExportResult& exp
     return false;
 }
 
-void judge_pictures(Validation& result, const OurPicture& ours) {
+void judge_pictures(Validation& result, const OurPicture& ours, const PovRayRules& rules) {
     CompareOptions options;
     options.fail = result.thresholds.interior;
     options.fail_percent = 100;  // the judgement decides, not this
@@ -83,8 +81,8 @@ void judge_pictures(Validation& result, const OurPicture& ours) {
         return;
     }
     Probe by_rules;
-    if (ours.probe_by_rules && has_followed_rule(result.known_differences))
-        by_rules = exposed(ours.probe_by_rules, result.exposure);
+    if (ours.by_rules && has_followed_rule(result.known_differences))
+        by_rules = exposed(ours.by_rules(rules), result.exposure);
     result.judgement = judge(result.ours, result.theirs, exposed(ours.probe, result.exposure),
                              result.thresholds, by_rules, rays_for_explaining(ours.rays));
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
@@ -110,7 +108,7 @@ void validate(Validation& result, const ValidationJob& job, const OurRenderer& r
     result.from_cache = picture.from_cache;
     result.pov_command = picture.command;
     result.theirs = std::move(picture.image);
-    judge_pictures(result, ours);
+    judge_pictures(result, ours, exported.rules);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -60,6 +61,13 @@ void add_measures(ReportEntry& entry, const Validation& v) {
     plain("FLIP", v.comparison.flip);
 }
 
+/// The rules that the scene can meet.
+std::string rule_names(const std::vector<KnownDifference>& known) {
+    std::vector<std::string> names;
+    for (const KnownDifference& k : known) names.push_back(rule_name(k.rule));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void add_markers(ReportEntry& entry, const Validation& v) {
     for (const DifferentPixel& p : v.judgement.different) {
         const std::string kind = class_name(p.pixel_class);
@@ -72,6 +80,8 @@ void add_markers(ReportEntry& entry, const Validation& v) {
             text += fmt::format("; edge at ({:.2g}, {:.2g}) pixel from the centre", p.offset.x,
                                 p.offset.y);
         }
+        if (p.pixel_class == PixelClass::known)
+            text += "; as POV-Ray's rules have it (" + rule_names(v.known_differences) + ")";
         entry.markers.push_back({p.x, p.y, kind, std::move(text)});
     }
     std::stable_sort(entry.markers.begin(), entry.markers.end(),
@@ -178,7 +188,9 @@ Report validation_report(const PovRay& povray, const std::string& lancer_version
              "of "
              "geometry, shadow or texture must pass its centre within {:g} pixel, and beyond it "
              "our own "
-             "picture must take POV-Ray's value. Explaining is bounded: at most {:g} % of the edge "
+             "picture must take POV-Ray's value; or POV-Ray does otherwise by a rule, and our "
+             "renderer, following POV-Ray's rules, must give its value. Explaining is bounded: at "
+             "most {:g} % of the edge "
              "pixels, "
              "at most {:g} % by edges that are off by more than {} pixel, no shift between the "
              "pictures, no common direction of the offsets. Everything else is unexplained, and "

@@ -58,6 +58,7 @@ nlohmann::ordered_json scene_json(const Validation& v) {
                          {"shadow", j.count(PixelClass::shadow)},
                          {"texture", j.count(PixelClass::texture)},
                          {"reflected_edge", j.count(PixelClass::secondary)},
+                         {"steep", j.count(PixelClass::steep)},
                          {"displaced", j.displaced}};
     json["known"] = j.count(PixelClass::known);
     json["not_looked_at"] = j.not_looked_at;

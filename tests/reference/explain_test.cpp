@@ -192,6 +192,46 @@ TEST(Judge, CountsAsKnownOnlyWhatTheOtherRuleGivesExactly) {
     EXPECT_GT(off.count(PixelClass::unexplained), 5000u) << summary(off);
 }
 
+/// A world's picture but for one pixel, where both programs are asked about a slope of `slope` per
+/// pixel.
+Judgement judge_slope(double slope) {
+    const World world;
+    Image ours = tiny::Tracer(world).render();
+    Image theirs = ours;
+    const Probe probe = [&](double x, double y) {
+        ProbeSample sample = tiny::Tracer(world).probe(x, y);
+        if (std::abs(x - 10.5) < 0.1 && std::abs(y - 10.5) < 0.1)
+            sample.color = Color(std::clamp(0.4 + slope * (x - 10.5), 0.0, 1.0));
+        return sample;
+    };
+    for (int c = 0; c < 3; ++c) {
+        ours.pixel(10, 10)[c] = 0.4;
+        theirs.pixel(10, 10)[c] = 0.4005;
+    }
+    return judge(ours, theirs, probe, {});
+}
+
+TEST(Judge, ExplainsASlopeOnlyWhenTheLastDigitsDecide) {
+    const Judgement steep = judge_slope(1e4);  // 5e-8 pixel
+    EXPECT_EQ(steep.count(PixelClass::steep), 1u) << summary(steep);
+    EXPECT_TRUE(steep.pass) << summary(steep);
+    const Judgement slope = judge_slope(1e3);  // 5e-7 pixel
+    EXPECT_EQ(slope.count(PixelClass::unexplained), 1u) << summary(slope);
+    EXPECT_FALSE(slope.pass);
+}
+
+TEST(Judge, ExplainsNothingWhereThePictureIsNotWhatTheRendererGives) {
+    const World world;
+    Image ours = tiny::Tracer(world).render();
+    const Image theirs = tiny::Tracer(world).render(true);
+    for (double& value : ours.data) value *= 0.9;
+    const Probe probe = tiny::probe_of(world);
+    const Judgement j = judge(ours, theirs, probe, {}, probe);
+    EXPECT_EQ(j.explained, 0u) << summary(j);
+    EXPECT_EQ(j.count(PixelClass::known), 0u) << summary(j);
+    EXPECT_GT(j.count(PixelClass::unexplained), 5000u) << summary(j);
+}
+
 TEST(Judge, EndsWhenItsRaysAreUsedUpAndSaysSo) {
     World other;
     other.texture_offset += other.cell / 16;

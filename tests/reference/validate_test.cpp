@@ -1,62 +1,14 @@
 // Whole validations: our tracer, the exporter and POV-Ray. Each seeded fault is put into our side
 // only.
-#include "reference/validate/validate.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
-#include "cli/our_renderer.h"
-#include "model/io/temporary_file.h"
 #include "tests/reference/pov/pair_scenes.h"
-#include "tests/reference/pov/povray_fixture.h"
 #include "tests/reference/pov/scene_kit.h"
+#include "tests/reference/validate_fixture.h"
 
 namespace lancer::reference {
 namespace {
-
-using Fault = std::function<void(Scene&)>;
-
-class Validate : public WithPovRay {
-  protected:
-    /// `fault` is done to our scene alone. POV-Ray's picture is made once and kept.
-    Validation validate(const Scene& scene, const Fault& fault = {},
-                        const Expectations& expect = {}) {
-        ValidationJob job;
-        job.name = "test";
-        auto prepared = std::make_shared<Scene>(scene);
-        prepare_for_validation(*prepared);
-        job.scene = prepared;
-        job.view = {0, 160, 120};
-        job.expect = expect;
-        const OurRenderer renderer = [&fault](const Scene& given, const ExportView& view) {
-            Scene ours = given;
-            if (fault) fault(ours);
-            return cli::render_ours(ours, view);
-        };
-        PovOptions options;
-        options.cache = cache().path().string();
-        return validate_scene(job, renderer, find_povray(), options);
-    }
-
-    void expect_caught(const Scene& scene, const Fault& fault, std::size_t least_unexplained) {
-        const Validation v = validate(scene, fault);
-        EXPECT_EQ(v.verdict, Verdict::differs);
-        EXPECT_GE(v.judgement.count(PixelClass::unexplained), least_unexplained);
-    }
-
-    static io::TemporaryFolder& cache() {
-        static io::TemporaryFolder folder;
-        return folder;
-    }
-};
-
-std::string said(const Validation& v) {
-    std::string text = v.name + "\n";
-    for (const std::string& reason : v.reasons) text += reason + "\n";
-    return text;
-}
 
 TEST_F(Validate, SolidsAgree) {
     const Validation v = validate(solids_scene());
@@ -220,22 +172,6 @@ TEST_F(Validate, BrightScenesAreExposedOnBothSides) {
     const Validation v = validate(scene);
     EXPECT_LT(v.exposure, 1);
     EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
-}
-
-TEST_F(Validate, AbsorptionByPovRaysRuleIsKnownAndNothingElseIs) {
-    Scene scene = solids_scene();
-    Material milky;
-    milky.diffuse = 0.5;
-    milky.transmission = 0.4;
-    milky.ior = 1.3;
-    milky.absorption = {0.5, 0.3, 0.1};
-    scene.materials.push_back(milky);
-    scene.objects[1].material = static_cast<std::uint32_t>(scene.materials.size() - 1);
-    const Validation v = validate(scene);
-    EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
-    EXPECT_GT(v.judgement.count(PixelClass::known), 100u);
-    expect_caught(
-        scene, [](Scene& ours) { ours.materials.back().absorption.x += 0.01; }, 100);
 }
 
 TEST_F(Validate, AnExpectedRefusalThatDoesNotComeFails) {
