@@ -1,5 +1,5 @@
-// Scenes that nobody chose: every shape, material, texture, light and transform, judged by more
-// digits and by what must not change their pictures.
+// Scenes that nobody chose: every shape, material, texture, light and transform, judged by what
+// must not change their pictures. By more digits: rows_test.cpp, last_digits_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,17 +48,6 @@ TEST(Random, WhatNobodySeesFarAwayChangesNoBit) {
             EXPECT_EQ(different(picture(s.scene), reference), 0) << seed << " " << k;
         }
     }
-}
-
-TEST(Random, DoubleAgreesWithExtended) {
-    int bad = 0;
-    for (unsigned seed = 1; seed <= scenes; ++seed) {
-        const Scene scene = random_anything(seed);
-        const int here = wrong(picture(scene), picture(scene, Precision::extended));
-        if (here > 0) ADD_FAILURE() << here << " pixels wrong with seed " << seed;
-        bad += here;
-    }
-    EXPECT_LE(bad, 1);  // of 122,880
 }
 
 TEST(Random, PowersOfTenPlacesAndAxes) {
