@@ -31,13 +31,16 @@ template <class Real, class Last, class Report>
 void crossing_from_surface(const BallSolid<Real>& ball, const Ray<Real>& ray,
                            const Vec3<Real>& from_center, const Stretch<Real, Last>& stretch,
                            Report&& report) {
+    using std::abs;
     using std::sqrt;
     const Real t = -2 * dot(from_center, ray.dir) / ray.dir_squared;
     if (stretch.ends_before(t)) return;
+    // Each term of the product is rounded 4 times, |d|^2 and the quotient another 4 times.
     const Real size = dot(absolute(from_center), absolute(ray.dir));
     const Real error =
         (gamma<Real>(8) * size / sqrt(ray.dir_squared) + 2 * (ray.origin_error + ball.placed)) /
-        sqrt(ray.dir_squared);
+            sqrt(ray.dir_squared) +
+        gamma<Real>(5) * abs(t);
     const Crossing<Real> c{t, error, 0, t < 0};
     if (stretch.holds(c)) report(c);
 }
