@@ -51,7 +51,7 @@ Lens<Real> make_lens(const Camera& camera, int width, int height, int scale_expo
     if (const auto* perspective = std::get_if<PerspectiveProjection>(&camera.projection)) {
         lens.orthographic = false;
         tall = 2 * elementary::tan(static_cast<Real>(perspective->fov) / 2 *
-                                   static_cast<Real>(std::numbers::pi_v<long double> / 180));
+                                   static_cast<Real>(std::numbers::pi_v<Wide<Real>> / 180));
     } else {
         lens.orthographic = true;
         tall = ldexp(static_cast<Real>(std::get<OrthographicProjection>(camera.projection).height),

@@ -120,7 +120,7 @@ class Compiler {
             const SpotLight& spot = std::get<SpotLight>(light.kind);
             const auto cosine = [](double angle) {
                 return elementary::cos(static_cast<Real>(angle) *
-                                       static_cast<Real>(std::numbers::pi_v<long double> / 180));
+                                       static_cast<Real>(std::numbers::pi_v<Wide<Real>> / 180));
             };
             s.kind = Kind::spot;
             s.position = place(spot.position);

@@ -38,7 +38,9 @@ void begin_near_scene(const World<Real>& world, const Camera& camera, Lens<Real>
     }
     if (!(reach > 0) || !(reach * far_camera_ratio < distance)) return;
     // A power of two, so that it does not follow the last digits of the box.
-    const Real rest = std::ldexp(Real(1), std::ilogb(reach) + 2);
+    using std::ilogb;
+    using std::ldexp;
+    const Real rest = ldexp(Real(1), ilogb(reach) + 2);
     lens.origin = two_sum(look_at, lens.forward * -rest);
     lens.ahead = distance - rest;
 }

@@ -118,9 +118,10 @@ Real index_of(const World<Real>& world, const Media& media) {
 /// list: a crossing was lost. Returns how many.
 template <class Real>
 std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray, Real t) {
+    using std::abs;
     if (media.empty()) return 0;
     const Vec3<Real> point = (ray.origin + t * ray.dir) + ray.origin_lo;
-    const Vec3<Real> slack = gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(std::abs(t))) +
+    const Vec3<Real> slack = gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(abs(t))) +
                              Vec3<Real>(ray.origin_error);
     const auto outside = [&](std::uint32_t body) {
         const Bounds<Real>& b = world.medium_bounds[world.primitives[body].medium_slot];

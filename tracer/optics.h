@@ -1,6 +1,8 @@
 // Light at a surface: mirror, Snell, Fresnel, absorption. Formulas as in docs/shading.md.
 #pragma once
 
+#include <numbers>
+
 #include "tracer/rounding.h"
 
 namespace lancer {
@@ -51,7 +53,8 @@ Real fresnel_reflectance(Real cosine, Real index) {
 template <class Real>
 Real metallic_share(Real cosine) {
     const Real clipped = cosine > 1 ? Real(1) : (cosine < -1 ? Real(-1) : cosine);
-    const Real x = elementary::acos(clipped) / static_cast<Real>(1.5707963267948966192313L);
+    const Real x =
+        elementary::acos(clipped) / static_cast<Real>(std::numbers::pi_v<Wide<Real>> / 2);
     const Real f =
         Real(0.014567225L) / ((x - Real(1.12L)) * (x - Real(1.12L))) - Real(0.011612903L);
     return f < 0 ? Real(0) : (f > 1 ? Real(1) : f);

@@ -257,11 +257,12 @@ template <class Real, class Bodies>
 Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
                               const Start<Real>& start, const Bodies& bodies,
                               Shadows shadows = Shadows::ignore) {
+    using std::abs;
     const Acceptance<Real, Bodies> accept(world, start, bodies);
     NearestContact<Real> found;
     const auto limit = [&] { return found.limit(); };
     // A body that the ray is in may be left a rounding before the start.
-    const Real first = start.t - std::abs(start.t) * gamma<Real>(32);
+    const Real first = start.t - abs(start.t) * gamma<Real>(32);
     const Stretch<Real, decltype(limit)> stretch{first, limit};
     candidates(world, ray, stretch, [&](std::uint32_t index) {
         if (index == start.left) return false;

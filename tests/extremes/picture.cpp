@@ -5,24 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lancer::extremes {
+#include "tests/quad/renderer.h"
 
-Image picture(const Scene& scene, Precision precision) {
-    Settings settings = scene.settings;
-    settings.precision = precision;
+namespace lancer::extremes {
+namespace {
+
+Image checked_picture(const Renderer& renderer, const Scene& scene) {
     RayCounts counts;
     View view;
     view.width = scene.width;
     view.height = scene.height;
-    Image image = compile(scene, settings)->render(view, {}, counts);
+    Image image = renderer.render(view, {}, counts);
     EXPECT_EQ(counts.media_lost, 0u);
     int bad = 0;
     for (const double x : image.data) bad += !std::isfinite(x);
     EXPECT_EQ(bad, 0) << "values that are not finite";
     return image;
 }
-
-namespace {
 
 double apart(const double* a, const double* b) {
     double most = 0;
@@ -43,6 +42,15 @@ int count(const Image& a, const Bad& bad) {
 }
 
 }  // namespace
+
+Image picture(const Scene& scene, Precision precision) {
+    Settings settings = scene.settings;
+    settings.precision = precision;
+    return checked_picture(*compile(scene, settings), scene);
+}
+Image quad_picture(const Scene& scene) {
+    return checked_picture(*compile_quad(scene, scene.settings), scene);
+}
 
 int wrong(const Image& a, const Image& b) {
     return count(a, [&](int x, int y) { return apart(a.pixel(x, y), b.pixel(x, y)) > 1.0 / 255; });

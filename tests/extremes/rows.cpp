@@ -1,5 +1,7 @@
 #include "tests/extremes/rows.h"
 
+#include <ostream>
+
 namespace lancer::extremes {
 
 std::vector<int> ks_from(int least, int most, int step) {
@@ -10,6 +12,10 @@ std::vector<int> ks_from(int least, int most, int step) {
 
 std::function<std::optional<int>(int)> none_wrong(int least, int most) {
     return [=](int k) { return k >= least && k <= most ? std::optional(0) : std::nullopt; };
+}
+
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
 }
 
 std::vector<Row> all_rows() {

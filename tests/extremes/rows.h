@@ -20,15 +20,17 @@ struct Row {
 
     // What the picture of scene(k) is compared with; exactly one of the four.
     std::function<Scene(int k)> same_as;     ///< this scene, rendered by the same program
-    std::function<Scene(int k)> exactly_as;  ///< this scene, rendered by Lancer in `extended`
+    std::function<Scene(int k)> exactly_as;  ///< this scene, rendered by Lancer in 113 bits
     std::optional<Color> uniform;            ///< this colour everywhere
     std::function<Image(int k)> formula;
 
+    bool steady = false;     ///< `exactly_as` is one scene for all k
     bool unordered = false;  ///< a larger k is no harder
     bool bits = false;       ///< every bit counts, not only differences above 1/255
     /// How many wrong pixels the project's aims allow at k; nothing where they ask nothing.
     std::function<std::optional<int>(int k)> allowed;
     std::string asked;     ///< the same in words
+    bool povray = true;    ///< POV-Ray means the same by all of it
     bool tachyon = false;  ///< Tachyon has what it takes: balls, boxes, cylinders, triangles
     bool plotted = false;
 };

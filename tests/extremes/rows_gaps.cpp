@@ -203,6 +203,7 @@ std::vector<Row> rows_of_gaps() {
         row.ks = ks_from(1, 6);
         row.scene = [solid](int k) { return resting(solid, 37, k); };
         row.exactly_as = [solid](int) { return resting(solid, 37, 1); };
+        row.steady = true;
         row.allowed = none_wrong(1, 6);
         row.asked = "0";
         rows.push_back(row);

@@ -232,7 +232,8 @@ std::vector<Row> rows_of_light() {
     row.name = "k equal glass shells, against one";
     row.ks = {2, 10, 50, 100};
     row.scene = [](int k) { return shells(k, false); };
-    row.same_as = [](int) { return shells(1, false); };
+    row.exactly_as = [](int) { return shells(1, false); };
+    row.steady = true;
     row.allowed = none_wrong(2, 100);
     row.asked = "0, k ≤ 100";
     rows.push_back(row);

@@ -136,6 +136,7 @@ std::vector<Row> rows_of_places() {
     row.ks = ks_from(-9, 9);
     row.scene = glass_mesh;
     row.exactly_as = [](int) { return glass_mesh(0); };
+    row.steady = true;
     row.allowed = none_wrong(-9, 9);
     row.asked = "0, \\|k\\| ≤ 9";
     row.plotted = true;
@@ -269,6 +270,13 @@ std::vector<Row> rows_of_places() {
     row.allowed = none_wrong(1, 30);
     row.asked = "1 in 10⁵ pixels";
     row.unordered = true;
+    add(row);
+
+    row.name = "random scenes of every shape, material, texture and light, k the seed";
+    row.ks = ks_from(1, 100);
+    row.scene = row.exactly_as = [](int k) { return random_anything(static_cast<unsigned>(k)); };
+    row.allowed = none_wrong(1, 100);
+    row.povray = false;  // absorption: docs/validation.md
     add(row);
     return rows;
 }

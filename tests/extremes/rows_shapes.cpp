@@ -28,6 +28,15 @@ Scene rod(const Vec3d& along, double r, double l, bool cone) {
     return s.scene;
 }
 
+/// A cone whose apex is 2·10^k away.
+Scene almost_cylinder(int k) {
+    Stage s = lit();
+    const Vec3d along = normalize(Vec3d(1, 2, -0.7));
+    s.add(Cone{-along, along, 1, 1 - power10(-k)}, s.matt({0.9, 0.8, 0.7}));
+    s.look({1.5, 2, 4}, {0, 0, 0}, 45);
+    return s.scene;
+}
+
 /// A cone's apex is alike at every zoom.
 Scene apex(double angle, int k) {
     Stage s = lit();
@@ -144,6 +153,7 @@ std::vector<Row> rows_of_shapes() {
                 row.same_as = [=](int) { return rod(along, 1, 1e3, false); };
             row.allowed = none_wrong(4, straight ? 10 : 5);
             row.asked = straight ? "0, k ≤ 10" : "0, k ≤ 5";
+            row.steady = cone;
             row.tachyon = !cone;
             row.plotted = !cone && straight;
             rows.push_back(row);
@@ -161,6 +171,13 @@ std::vector<Row> rows_of_shapes() {
         row.tachyon = true;
         rows.push_back(row);
     }
+    row = {};
+    row.name = "cone of radii 1 and 1 − 10⁻ᵏ";
+    row.ks = ks_from(1, 16);
+    row.scene = row.exactly_as = almost_cylinder;
+    row.allowed = none_wrong(1, 16);
+    row.asked = "0, k ≤ 16";
+    rows.push_back(row);
     for (const double angle : {0.0, 37.0}) {
         row = {};
         row.name = std::string("a cone's apex, zoom 10ᵏ") + (angle == 0 ? "" : ", turned by 37°");

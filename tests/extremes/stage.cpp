@@ -169,6 +169,12 @@ Scene under(Scene scene, const Affine<double>& map) {
     return scene;
 }
 
+Scene half_size(Scene scene) {
+    scene.width /= 2;
+    scene.height /= 2;
+    return scene;
+}
+
 Affine<double> stretch(double x, double y, double z) {
     return {{Vec3d(x, 0, 0), Vec3d(0, y, 0), Vec3d(0, 0, z)}, Vec3d(0.0)};
 }

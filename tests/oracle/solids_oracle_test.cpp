@@ -187,37 +187,63 @@ TEST(Oracle, Triangle) {
     tally.report();
 }
 
+FrustumSolid<double> random_frustum(Draw& draw) {
+    FrustumSolid<double> f;
+    f.small_end = draw.direction() * draw.decade(-2, 2);
+    f.tilted = draw.number() % 3 != 0;
+    f.axis = f.tilted ? draw.direction() : Vec3d(0, 1, 0);
+    f.height = draw.decade(-2, 2);
+    f.large_end = f.small_end + f.height * f.axis;
+    f.radius = draw.number() % 4 == 0 ? 0 : draw.decade(-3, 1);
+    f.slope = draw.number() % 2 == 0 ? draw.decade(-2, 0.5) : (f.radius > 0 ? 0 : 0.5);
+    f.capped = true;
+    f.plain_error = plain_error_of(f.small_end);
+    return f;
+}
+double whole_size(const FrustumSolid<double>& f) {
+    return std::max(f.height, f.radius + f.slope * f.height);
+}
+
+/// A line meets the mantle where qa t^2 + 2 qb t + qc = 0, as in mantle_span().
+struct ExactMantle {
+    ExactVec w;      ///< the axis, truly unit
+    ExactVec start;  ///< relative to the smaller end
+    Exact sa, da;    ///< axial parts of start and direction
+    Exact qa, qb, qc;
+
+    ExactMantle(const FrustumSolid<double>& f, const Ray<double>& ray)
+        : w(unit_of(exact(f.axis))), start(start_of(ray) - exact(f.small_end)) {
+        const ExactVec d = exact(ray.dir);
+        sa = dot(w, start);
+        da = dot(w, d);
+        const ExactVec sp = start - sa * w;
+        const ExactVec dp = d - da * w;
+        const Exact radius = Exact(f.radius) + Exact(f.slope) * sa;
+        const Exact rate = Exact(f.slope) * da;
+        qa = dot(dp, dp) - rate * rate;
+        qb = dot(sp, dp) - radius * rate;
+        qc = dot(sp, sp) - radius * radius;
+    }
+};
+
 TEST(Oracle, CylinderAndCone) {
     Tally mantle("cylinder and cone, mantle");
     Tally caps("cylinder and cone, caps");
     mantle.run([&](Draw& draw) {
         caps.at(draw);
-        FrustumSolid<double> f;
-        f.small_end = draw.direction() * draw.decade(-2, 2);
-        f.tilted = draw.number() % 3 != 0;
-        f.axis = f.tilted ? draw.direction() : Vec3d(0, 1, 0);
-        f.height = draw.decade(-2, 2);
-        f.large_end = f.small_end + f.height * f.axis;
-        f.radius = draw.number() % 4 == 0 ? 0 : draw.decade(-3, 1);
-        f.slope = draw.number() % 2 == 0 ? draw.decade(-2, 0.5) : (f.radius > 0 ? 0 : 0.5);
-        f.capped = true;
-        f.plain_error = plain_error_of(f.small_end);
-        const double size = std::max(f.height, f.radius + f.slope * f.height);
+        const FrustumSolid<double> f = random_frustum(draw);
+        const double size = whole_size(f);
         const Ray<double> ray =
             draw.in_two_parts(draw.ray_at(f.small_end + (f.height / 2) * f.axis, size));
-        const ExactVec w = unit_of(exact(f.axis));
-        const ExactVec start = start_of(ray) - exact(f.small_end);
+        const ExactMantle exactly(f, ray);
+        const ExactVec& w = exactly.w;
+        const ExactVec& start = exactly.start;
+        const Exact& sa = exactly.sa;
+        const Exact& da = exactly.da;
+        const Exact& qa = exactly.qa;
+        const Exact& qb = exactly.qb;
         const ExactVec d = exact(ray.dir);
-        const Exact sa = dot(w, start);
-        const Exact da = dot(w, d);
-        const ExactVec sp = start - sa * w;
-        const ExactVec dp = d - da * w;
-        const Exact radius = Exact(f.radius) + Exact(f.slope) * sa;
-        const Exact rate = Exact(f.slope) * da;
-        const Exact qa = dot(dp, dp) - rate * rate;
-        const Exact qb = dot(sp, dp) - radius * rate;
-        const Exact qc = dot(sp, sp) - radius * radius;
-        const Exact square = qb * qb - qa * qc;
+        const Exact square = qb * qb - qa * exactly.qc;
         const Exact root = square > 0 ? Exact(sqrt(square)) : Exact(0);
         const Exact t0 = (-qb - root) / qa;
         const Exact t1 = (-qb + root) / qa;
@@ -255,6 +281,29 @@ TEST(Oracle, CylinderAndCone) {
     });
     mantle.report();
     caps.report();
+}
+
+/// The other root from a start on the mantle, whatever the angle.
+TEST(Oracle, CylinderAndConeFromTheMantle) {
+    Tally tally("cylinder and cone, from the mantle");
+    tally.run([&](Draw& draw) {
+        const FrustumSolid<double> f = random_frustum(draw);
+        const Vec3d outward = normalize(cross(f.axis, draw.direction()));
+        const double axial = f.height * draw.unit();
+        const VectorSum<double> start =
+            two_sum(f.small_end, axial * f.axis + (f.radius + f.slope * axial) * outward);
+        Vec3d along = draw.direction();
+        if (draw.number() % 5 < 2)
+            along = normalize(cross(outward, along)) + outward * draw.decade(-16, -1);
+        const Ray<double> ray = make_ray(start.hi, start.lo, normalize(along), 0.0);
+        const ExactMantle exactly(f, ray);
+        const Exact t = -2 * exactly.qb / exactly.qa;
+        crossings(f, ray, Known{frustum_face::mantle, false}, whole_line<double>(),
+                  [&](const Crossing<double>& c) {
+                      if (c.face == frustum_face::mantle) tally.hit(ray, c, t, whole_size(f));
+                  });
+    });
+    tally.report();
 }
 
 }  // namespace

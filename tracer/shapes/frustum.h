@@ -184,11 +184,13 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
 /// Bounds the error of a crossing of the mantle at t.
 ///
 /// The line is displaced by `place` across the axis at most: the part along an axis is taken out
-/// twice, of the start and of the direction, and each leaves some 8 roundings of the whole; where
-/// the axis is a coordinate axis it is taken out exactly, and only the last difference is rounded.
-/// The radius is rounded at the size of its terms. That changes qa t^2 + 2 qb t + qc by up to w at
-/// the root, hence the discriminant by |qa| w; a root by w over twice the derivative, or near a
-/// tangent by the half chord that it adds. From a start on the mantle the other root is -2 qb / qa.
+/// twice, of the start and of the direction, and each leaves some 8 roundings of the whole, those
+/// of the direction grow with t; where the axis is a coordinate axis it is taken out exactly, and
+/// only the last difference is rounded. The radius is rounded at the size of its terms. That
+/// changes qa t^2 + 2 qb t + qc by up to w at the root, hence the discriminant by |qa| w; a root by
+/// w over twice the derivative, or near a tangent by the half chord that it adds. From a start on
+/// the mantle the other root is -2 qb / qa, and what is left of the direction turns the line about
+/// the start: qb changes by that times R.
 template <class Real>
 Real mantle_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line,
                   const MantleSpan<Real>& span, bool on_mantle, Real t) {
@@ -196,7 +198,8 @@ Real mantle_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frust
     using std::sqrt;
     Real place =
         ray.origin_error + f.placed + gamma<Real>(4) * (length(line.start_perp) + f.radius);
-    if (f.tilted) place += gamma<Real>(16) * length(line.start);
+    const Real left_of_dir = f.tilted ? gamma<Real>(8) * sqrt(ray.dir_squared) : Real(0);
+    if (f.tilted) place += gamma<Real>(8) * length(line.start) + left_of_dir * abs(t);
     if (f.slope != 0)
         place +=
             gamma<Real>(6) * f.slope * (abs(line.start_axial) + abs(span.slide * line.dir_axial));
@@ -207,7 +210,7 @@ Real mantle_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frust
     const Real terms = length(line.dir_perp) + abs(span.rate);
     Real along = 0;
     if (on_mantle)
-        along = 2 * place * terms / steep;
+        along = 2 * (place * terms + left_of_dir * (size + terms * abs(t))) / steep;
     else
         along = span.discriminant > 4 * steep * w ? Real(0.54) * w / span.root : sqrt(w / steep);
     if (t == span.divided) along += gamma<Real>(4) * (terms * terms / steep) * abs(t - span.slide);

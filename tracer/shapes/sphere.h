@@ -35,13 +35,16 @@ bool misses(const BallSolid<Real>& ball, const Ray<Real>& ray) {
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void crossing_from_surface(const BallSolid<Real>& ball, const Ray<Real>& ray,
                                              const Stretch<Real, Last>& stretch, Report& report) {
+    using std::abs;
     using std::sqrt;
     const Vec3<Real> from_center = start_from(ray, ball.center);
     const Real t = -2 * dot(from_center, ray.dir) * ray.inv_squared;
     if (stretch.ends_before(t)) return;
+    // Each term of the product is rounded 4 times, |d|^2 and the quotient another 4 times.
     const Real size = dot(absolute(from_center), absolute(ray.dir));
-    const Real error = gamma<Real>(9) * size * ray.inv_squared +
-                       2 * (ray.origin_error + ball.placed) * sqrt(ray.inv_squared);
+    const Real error = gamma<Real>(8) * size * ray.inv_squared +
+                       2 * (ray.origin_error + ball.placed) * sqrt(ray.inv_squared) +
+                       gamma<Real>(7) * abs(t);
     const Crossing<Real> c{t, error, 0, t < 0};
     if (stretch.holds(c)) report(c);
 }

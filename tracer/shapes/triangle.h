@@ -149,6 +149,7 @@ bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const 
 template <class Real>
 Real weighted_point_error(const Vec3<Real>& ab, const Vec3<Real>& ac, const Vec3<Real>& normal,
                           Real u, Real v) {
+    using std::abs;
     const Vec3<Real> b = absolute(ab);
     const Vec3<Real> c = absolute(ac);
     const Real anyhow = gamma<Real>(5) * (max_component(b) + max_component(c));
@@ -156,7 +157,7 @@ Real weighted_point_error(const Vec3<Real>& ab, const Vec3<Real>& ac, const Vec3
     const Vec3<Real> n = absolute(normal);
     const Real least = max_component(n) - gamma<Real>(4) * max_component(off);
     if (!(least > 0)) return anyhow;
-    const Vec3<Real> terms = std::abs(u) * b + std::abs(v) * c;
+    const Vec3<Real> terms = abs(u) * b + abs(v) * c;
     const Real along = gamma<Real>(6) * dot(n + gamma<Real>(4) * off, terms) / least;
     return along < anyhow ? along : anyhow;
 }

@@ -23,6 +23,8 @@ struct Piece {
 /// less than `most` of it, measured along the piece's own two directions and across them.
 template <class Real>
 bool is_even(const Piece<Real>& piece, Real most) {
+    using std::abs;
+    using std::sqrt;
     const auto at = [&](std::size_t i) {
         return Vec3<Real>(piece.c[0][i], piece.c[1][i], piece.c[2][i]);
     };
@@ -34,9 +36,8 @@ bool is_even(const Piece<Real>& piece, Real most) {
     // Rows of the inverse of (u, v, n / |n|), the last one in units of the shorter direction.
     const Vec3<Real> a = cross(v, n) / nn;
     const Vec3<Real> b = cross(n, u) / nn;
-    const Vec3<Real> up = n / std::sqrt(nn * std::min(length_squared(u), length_squared(v)));
+    const Vec3<Real> up = n / sqrt(nn * std::min(length_squared(u), length_squared(v)));
     const auto off = [&](const Vec3<Real>& slope, Real along_u, Real along_v) {
-        using std::abs;
         return std::max(
             {abs(dot(a, slope) - along_u), abs(dot(b, slope) - along_v), abs(dot(up, slope))});
     };
@@ -54,6 +55,7 @@ bool is_even(const Piece<Real>& piece, Real most) {
 /// Halves a piece until its parts are even, or `levels` times.
 template <class Real>
 void cut(const Piece<Real>& piece, Real most, int levels, std::vector<Piece<Real>>& pieces) {
+    using std::sqrt;
     if (levels == 0 || is_even(piece, most)) {
         pieces.push_back(piece);
         return;
@@ -69,7 +71,7 @@ void cut(const Piece<Real>& piece, Real most, int levels, std::vector<Piece<Real
                 Real squared = 0;
                 for (const auto& c : piece.c)
                     squared += (c[p + step] - c[p]) * (c[p + step] - c[p]);
-                length += std::sqrt(squared);
+                length += sqrt(squared);
             }
             longest[k] = std::max(longest[k], length);
         }

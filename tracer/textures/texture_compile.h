@@ -19,8 +19,7 @@ struct PatternMaker {
     }
     Pattern<Real> operator()(const Gradient& g) const {
         GradientPattern<Real> pattern;
-        const Vec3<long double> axis =
-            convert<long double>(g.axis / max_component(absolute(g.axis)));
+        const Vec3<Wide<Real>> axis = convert<Wide<Real>>(g.axis / max_component(absolute(g.axis)));
         pattern.axis = convert<Real>(normalize(axis));
         for (const Gradient::Stop& stop : g.stops)
             pattern.stops.push_back({static_cast<Real>(stop.at), convert<Real>(stop.color)});
@@ -28,7 +27,7 @@ struct PatternMaker {
     }
     Pattern<Real> operator()(const ImageTexture& t) const {
         return ImagePattern<Real>{scene.images[t.image].pixels.get(), t.mapping, t.filter, t.wrap,
-                                  convert<Real>(inverse(convert<long double>(to_object)))};
+                                  convert<Real>(inverse(convert<Wide<Real>>(to_object)))};
     }
 };
 

@@ -9,6 +9,7 @@
 #include "reference/pov/export.h"
 #include "reference/povray/runner.h"
 #include "tests/bench/accuracy/tachyon.h"
+#include "tests/quad/renderer.h"
 #include "tracer/render.h"
 
 namespace lancer::bench {
@@ -41,7 +42,9 @@ std::size_t wrong_pixels(const Image& image, const Image& truth, bool bits) {
     return wrong;
 }
 
-Shot by_lancer(const Scene& scene, Precision precision) {
+using Compile = std::unique_ptr<Renderer> (*)(const Scene&, const Settings&);
+
+Shot by_lancer(const Scene& scene, Precision precision, Compile compiler = compile) {
     Settings settings = scene.settings;
     settings.precision = precision;
     settings.threads = 0;
@@ -50,7 +53,7 @@ Shot by_lancer(const Scene& scene, Precision precision) {
     view.height = scene.height;
     RayCounts counts;
     try {
-        return {compile(scene, settings)->render(view, {}, counts), ""};
+        return {compiler(scene, settings)->render(view, {}, counts), ""};
     } catch (const SceneError& error) {
         return {std::nullopt, error.what()};
     }
@@ -70,7 +73,17 @@ Image common_truth(const Row& row, int k) {
         const Scene scene = row.scene(k);
         return filled(scene.width, scene.height, *row.uniform);
     }
-    return by_lancer(row.exactly_as(k), Precision::extended).image.value();
+    return by_lancer(row.exactly_as(k), {}, compile_quad).image.value();
+}
+std::map<int, Image> common_truths(const Row& row) {
+    std::map<int, Image> truths;
+    for (const int k : row.ks) {
+        if (row.steady && !truths.empty())
+            truths.emplace(k, truths.begin()->second);
+        else
+            truths.emplace(k, common_truth(row, k));
+    }
+    return truths;
 }
 
 /// A row's pictures in any program: `shoot` makes them.
@@ -157,9 +170,8 @@ Measurement measure(const std::vector<Row>& rows,
         const Scene first = row.scene(row.ks.front());
         measured.pixels =
             static_cast<std::size_t>(first.width) * static_cast<std::size_t>(first.height);
-        std::map<int, Image>& truth = truths.emplace_back();
-        if (!row.same_as)
-            for (const int k : row.ks) truth.emplace(k, common_truth(row, k));
+        const std::map<int, Image>& truth =
+            truths.emplace_back(row.same_as ? std::map<int, Image>{} : common_truths(row));
         for (const auto& [program, precision] :
              {std::pair{Program::lancer_double, Precision::double_},
               {Program::lancer_single, Precision::single},
@@ -175,10 +187,17 @@ Measurement measure(const std::vector<Row>& rows,
         result.povray_version = povray.version;
         PovRayRun pov(povray);
         const auto shoot = [&](const Scene& scene) { return pov.shoot(scene); };
-        for (std::size_t i = 0; i < rows.size(); ++i) run(rows[i], truths[i], shoot);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (rows[i].povray) run(rows[i], truths[i], shoot);
+        }
         pov.make(say);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            result.rows[i].courses[Program::povray] = run(rows[i], truths[i], shoot);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            Course& course = result.rows[i].courses[Program::povray];
+            if (rows[i].povray)
+                course = run(rows[i], truths[i], shoot);
+            else
+                course.absent = "not for POV-Ray";
+        }
     } catch (const FileError& error) {
         say(error.what());
     }

@@ -1,0 +1,15 @@
+#include "tests/quad/renderer.h"
+
+#include "tests/quad/quad.h"
+#include "tracer/renderer_of.h"
+#include "tracer/shapes/bicubic_build.h"
+
+namespace lancer {
+
+template class BicubicSurface<Quad>;
+
+std::unique_ptr<Renderer> compile_quad(const Scene& scene, const Settings& settings) {
+    return std::make_unique<RendererOf<Quad>>(scene, settings);
+}
+
+}  // namespace lancer
