@@ -41,13 +41,6 @@ Probe exposed(Probe probe, double exposure) {
     };
 }
 
-/// Whether the scene can meet a rule that our renderer can follow for the sake of the argument.
-bool has_followed_rule(const std::vector<KnownDifference>& known) {
-    return std::any_of(known.begin(), known.end(), [](const KnownDifference& k) {
-        return k.rule != KnownDifference::Rule::coincident_surfaces;
-    });
-}
-
 /// The exporter's result taken over; false when the scene goes no further.
 bool take_export(Validation& result, const ValidationJob& job, ExportResult& exported) {
     result.factor = exported.factor;
@@ -81,8 +74,8 @@ void judge_pictures(Validation& result, const OurPicture& ours, const PovRayRule
         return;
     }
     Probe by_rules;
-    if (ours.by_rules && has_followed_rule(result.known_differences))
-        by_rules = exposed(ours.by_rules(rules), result.exposure);
+    // Named or not: next to where any two bodies meet, faces are nearer than POV-Ray's constants.
+    if (ours.by_rules) by_rules = exposed(ours.by_rules(rules), result.exposure);
     result.judgement = judge(result.ours, result.theirs, exposed(ours.probe, result.exposure),
                              result.thresholds, by_rules, rays_for_explaining(ours.rays));
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;

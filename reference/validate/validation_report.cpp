@@ -65,7 +65,7 @@ void add_measures(ReportEntry& entry, const Validation& v) {
 std::string rule_names(const std::vector<KnownDifference>& known) {
     std::vector<std::string> names;
     for (const KnownDifference& k : known) names.push_back(rule_name(k.rule));
-    return fmt::format("{}", fmt::join(names, ", "));
+    return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
 }
 
 void add_markers(ReportEntry& entry, const Validation& v) {
@@ -81,7 +81,7 @@ void add_markers(ReportEntry& entry, const Validation& v) {
                                 p.offset.y);
         }
         if (p.pixel_class == PixelClass::known)
-            text += "; as POV-Ray's rules have it (" + rule_names(v.known_differences) + ")";
+            text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
         entry.markers.push_back({p.x, p.y, kind, std::move(text)});
     }
     std::stable_sort(entry.markers.begin(), entry.markers.end(),
