@@ -102,6 +102,8 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
         [&target, name, least, most](const std::string& text) {
             const double value = parse_number(text);
             if (value < least || value > most) {
+                if (least == std::numeric_limits<double>::denorm_min())
+                    throw UsageError(fmt::format("{} must be greater than 0", name));
                 throw UsageError(
                     most == std::numeric_limits<double>::max()
                         ? fmt::format("{} must be at least {}", name, least)

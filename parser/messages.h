@@ -118,12 +118,13 @@ namespace lancer {
     M(element_count,          "'{}' has {}, but there are {}") \
     M(mesh_two_ways,          "a mesh has either 'file' or 'vertices' and 'faces'") \
     M(face_index,             "face {} names vertex {}, but there are {}") \
-    M(net_ragged,             "row {} of 'control' has {}, row 0 has {}") \
+    M(net_ragged,             "row {} of 'control' has {}, the first row has {}") \
     M(net_bezier,             "a bezier patch has 4 x 4 control points, not {} x {}") \
     M(net_bspline,            "a bspline patch has 4 x 4 control points or more, not {} x {}") \
     M(profile_count,          "a {} profile has {} points, not {}") \
     M(outline_count,          "a {} outline has {} points, not {}") \
     M(profile_negative,       "the profile's curve has a negative radius near height {}") \
+    M(profile_swings,         "the profile's curve swings to a negative radius near height {}, though no point of it has one") \
     M(outline_crosses,        "the outline crosses itself near [{}, {}]") \
     M(prism_upside_down,      "'top' must be greater than 'bottom'") \
     M(transform_singular,     "these transforms leave nothing of the object: together they are singular or out of range") \

@@ -319,7 +319,8 @@ class Solids {
             if (!splines::is_within_limit(scene_.patches[ref.patch], tolerance))
                 throw SceneError(object_->place,
                                  "this patch would need more than 50 million triangles to stay "
-                                 "within its tolerance");
+                                 "within the tolerance that is asked, of the patch or of the whole "
+                                 "picture");
             world_.patches.push_back(
                 std::make_unique<PatchSurface<Real>>(scene_.patches[ref.patch], tolerance,
                                                      &world_.patch_borders, own, settings_.smooth));

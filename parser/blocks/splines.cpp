@@ -1,6 +1,10 @@
 // patch, lathe, prism.
 #include "model/splines.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "parser/blocks/attributes.h"
 #include "parser/blocks/blocks.h"
 
@@ -87,7 +91,7 @@ void check_net(BlockReader& block, const PatchSpec& spec) {
     const std::size_t columns = rows == 0 ? 0 : spec.control.front().size();
     for (std::size_t i = 1; i < rows; ++i) {
         if (spec.control[i].size() == columns) continue;
-        block.error(Message::net_ragged, block.place("control"), i,
+        block.error(Message::net_ragged, block.place("control"), i + 1,
                     count_of(spec.control[i].size()), columns);
         return;
     }
@@ -144,7 +148,10 @@ void make_lathe(BlockReader& block, std::uint32_t&) {
         return;
     }
     if (const auto bad = negative_radius(profile_curve(made.spline, made.profile))) {
-        block.error(Message::profile_negative, block.place("profile"), to_text(bad->point.y));
+        const bool has_negative =
+            std::ranges::any_of(made.profile, [](const Vec2d& p) { return p.x < 0; });
+        block.error(has_negative ? Message::profile_negative : Message::profile_swings,
+                    block.place("profile"), fmt::format("{:.3g}", bad->point.y));
         return;
     }
     auto& all = block.builder().scene.lathes;
@@ -173,8 +180,8 @@ void make_prism(BlockReader& block, std::uint32_t&) {
         return;
     }
     if (const auto at = self_crossing(outline_curve(made.spline, outline))) {
-        block.error(Message::outline_crosses, block.place("outline"), to_text(at->x),
-                    to_text(at->y));
+        block.error(Message::outline_crosses, block.place("outline"), fmt::format("{:.3g}", at->x),
+                    fmt::format("{:.3g}", at->y));
         return;
     }
     auto& all = block.builder().scene.prisms;

@@ -130,7 +130,7 @@ void restrict_to(std::array<Vec3d, Count>& c, double low, double high) {
         for (std::size_t i = Count - 1; i >= Count - n; --i)
             c[i] = c[i - 1] * (1 - high) + c[i] * high;
     }
-    const double from = low / high;
+    const double from = high > 0 ? low / high : 1;
     for (std::size_t n = Count - 1; n > 0; --n) {  // keep [from, 1]
         for (std::size_t i = 0; i < n; ++i) c[i] = c[i] * (1 - from) + c[i + 1] * from;
     }

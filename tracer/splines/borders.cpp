@@ -1,6 +1,10 @@
 #include "tracer/splines/borders.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tracer/splines/near.h"
 
 namespace lancer::splines {
 namespace {
@@ -19,6 +23,53 @@ std::array<double, 12> border_key(const BorderCurve& curve) {
     return std::min(forwards, backwards);
 }
 
+double distance_squared(const Vec3d& q, const Vec3d& from, const Vec3d& to) {
+    const Vec3d chord = to - from;
+    const double squared = length_squared(chord);
+    const double s = squared > 0 ? std::clamp(dot(q - from, chord) / squared, 0.0, 1.0) : 0.0;
+    return length_squared(q - from - chord * s);
+}
+
+/// Whether a part of the curve is within the tolerance of its chord: a distance from the chord is
+/// convex, so the control points of small parts bound it.
+bool curve_holds(const BorderCurve& curve, double low, double high, double tolerance) {
+    constexpr int parts = 8;
+    BorderCurve whole = curve;
+    restrict_to(whole, low, high);
+    for (int i = 0; i < parts; ++i) {
+        BorderCurve part = whole;
+        restrict_to(part, static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
+        for (const Vec3d& q : part) {
+            if (!(distance_squared(q, whole[0], whole[3]) <= tolerance * tolerance)) return false;
+        }
+    }
+    return true;
+}
+
+/// And whether the chords are proved to be within the tolerance of the curve, as the triangles
+/// beside them will have to be: of a patch as narrow as the curve.
+bool chords_hold(const BorderCurve& curve, const NearPatch& narrow, int steps) {
+    const auto end = [&](int i) {
+        return Footed::on(narrow.points(), {static_cast<double>(i) / steps, 0});
+    };
+    for (int i = 0; i < steps; ++i) {
+        const Footed to = end(i + 1);
+        if (!curve_holds(curve, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps,
+                         narrow.tolerance()) ||
+            !narrow.holds({end(i), to, to}))
+            return false;
+    }
+    return true;
+}
+
+/// What the chords may take: no less than the roundings of the curve's own points.
+double chord_tolerance(const BorderCurve& curve, double tolerance) {
+    double farthest = 0;
+    for (const Vec3d& q : curve) farthest = std::max(farthest, length(q));
+    return std::max(border_share * tolerance,
+                    16 * std::numeric_limits<double>::epsilon() * farthest);
+}
+
 }  // namespace
 
 std::array<BorderCurve, 4> border_curves(const BezierPatch& p) {
@@ -29,6 +80,36 @@ std::array<BorderCurve, 4> border_curves(const BezierPatch& p) {
 double border_tolerance(const BorderCurve& c, std::optional<double> tolerance) {
     return tolerance.value_or(
         hull_diagonal({Patch::Basis::bezier, 1, 4, {c.begin(), c.end()}, {}}) / 2000);
+}
+
+int likely_border_steps(const BorderCurve& c, double tolerance) {
+    constexpr double most = 1 << 20;
+    const double bend =
+        std::max(length((c[0] + c[2]) - 2.0 * c[1]), length((c[1] + c[3]) - 2.0 * c[2]));
+    // |S''| <= 6 bend, and a chord over a step h errs by at most h^2 / 8 of it.
+    const double steps = std::sqrt(6 * bend / (8 * chord_tolerance(c, tolerance)));
+    return steps < most ? std::max(1, static_cast<int>(std::ceil(steps))) : static_cast<int>(most);
+}
+
+int border_steps(const BorderCurve& curve, double tolerance) {
+    const int enough = likely_border_steps(curve, tolerance);
+    if (enough > 1000) return enough;
+    // The same bits whichever way the curve runs.
+    BorderCurve one_way = curve;
+    const auto key = [](const Vec3d& p, const Vec3d& q) {
+        return std::array{p.x, p.y, p.z, q.x, q.y, q.z};
+    };
+    if (key(curve[3], curve[2]) < key(curve[0], curve[1])) std::ranges::reverse(one_way);
+    Bicubic<double> rows;
+    for (std::size_t i = 0; i < 16; ++i) rows[i] = one_way[i % 4];
+    const NearPatch narrow(rows, chord_tolerance(curve, tolerance));
+    // A chord may run along a fold of the curve, far from it at equal parameters; but not too far:
+    // the triangles beside it would be hard to prove.
+    for (int steps = likely_border_steps(curve, 8 * tolerance); steps < enough;
+         steps += 1 + steps / 16) {
+        if (chords_hold(one_way, narrow, steps)) return steps;
+    }
+    return enough;
 }
 
 void BorderTolerances::add(const Patch& patch, std::optional<double> tolerance) {

@@ -19,6 +19,17 @@ std::array<BorderCurve, 4> border_curves(const BezierPatch& p);
 /// of the curve's own control points' box.
 double border_tolerance(const BorderCurve& c, std::optional<double> tolerance);
 
+/// What the chords of a border may take of its tolerance. The rest is for the triangles beside
+/// them: with less they get many, and the chords with more.
+inline constexpr double border_share = 0.95;
+
+/// Steps of equal parameter into which a border curve is cut, so that chords and curve are within
+/// border_share of the tolerance of each other. The same for the reversed curve.
+int border_steps(const BorderCurve& curve, double tolerance);
+
+/// At least about as many, quickly. No more than 2^20.
+int likely_border_steps(const BorderCurve& curve, double tolerance);
+
 /// The smallest tolerance that any of several patches asks for along a border curve.
 class BorderTolerances {
   public:

@@ -1,4 +1,4 @@
-// A proof that a triangle lies near a patch.
+// A proof for many cells of a grid at once that their triangles lie near a patch.
 #pragma once
 
 #include <array>
@@ -7,27 +7,16 @@
 
 namespace lancer::splines {
 
-/// A triangle and the parameters that it stands for.
-struct ChordTriangle {
-    std::array<Vec2d, 3> at;     ///< parameters of its corners
-    std::array<Vec3d, 3> point;  ///< its corners
-    std::array<Vec3d, 3> off;    ///< the surface at `at`, less `point`
-};
-
-/// The triangle with corners on the surface.
-ChordTriangle chord_triangle(const Bicubic<double>& p, const std::array<Vec2d, 3>& at);
-
 /// What holds all over a rectangle of a patch's parameters and a margin around it: bounds on the
-/// second derivatives, across the surface and along it. From these distance() bounds how far a
-/// triangle over the rectangle is from the surface.
+/// second derivatives, across the surface and along it. From these cell_distance() bounds how far
+/// the triangles over the rectangle are from the surface.
 ///
 /// A chord triangle differs from the surface over it, S - L at equal parameters, by the mean of
 /// second derivatives (Filip, Magedson, Markot, CAGD 3, 1986), but most of this may be a slide
 /// along the surface, which is no distance. So the point compared with is shifted: with N the
 /// normal at the rectangle's centre and a, b the rows dual to the slopes there, a shift (r, s) of
 /// the parameters with a.(S(u - r, v - s) - L) = b.(...) = 0 exists by Brouwer's fixed point
-/// theorem when the slopes stay near those of the centre. What is left lies along N. A shift is cut
-/// off at the patch's border, and what is cut off counts.
+/// theorem when the slopes stay near those of the centre. What is left lies along N.
 class Certificate {
   public:
     /// \param curvature  of p
@@ -35,12 +24,9 @@ class Certificate {
     Certificate(const Bicubic<double>& p, const Curvature& curvature, double u0, double u1,
                 double v0, double v1, double margin_u, double margin_v);
 
-    /// Upper bound of the distance of every point of the triangle from the patch; infinite where
-    /// the rectangle is too curved, or at a pole.
-    double distance(const ChordTriangle& t) const;
-
-    /// The same for both triangles, with corners on the surface, of a cell du x dv inside the
-    /// patch, away from its border, halved by the diagonal along (du, dv) or (du, -dv).
+    /// Upper bound of the distance from the patch of both triangles, with corners on the surface,
+    /// of a cell du x dv, the margin away from the patch's border, halved by the diagonal along
+    /// (du, dv) or (du, -dv); infinite where the rectangle is too curved, or at a pole.
     double cell_distance(double du, double dv, bool rising) const;
 
   private:
@@ -54,36 +40,23 @@ class Certificate {
     struct Second {
         Range uu, uv, vv;
     };
+    /// Bounds on its size.
     struct Shift {
-        double u, v;  ///< bounds on its size
-        double skew_u,
-            skew_v;  ///< on its difference from what the derivatives at equal parameters say
+        double u, v;
     };
 
     Second along(const Vec3d& direction) const;
     static double chord(const Second& second, const std::array<Vec2d, 3>& at);
-    static double radius_part(const Second& second, const std::array<Vec2d, 3>& at);
-    static double beyond(const Second& second, double sign, const std::array<double, 3>& out,
-                         const std::array<Vec2d, 3>& at, const std::array<double, 3>& depth);
-    double slide(const ChordTriangle& t, int axis, double size, double skew) const;
     /// From bounds on S - L along a and b.
     bool find_shift(double along_a, double along_b, Shift& shift) const;
     double tilt(const Shift& shift) const;
-    double cut_off(const ChordTriangle& t, Shift& shift) const;
 
     Curvature curvature_;  ///< over the rectangle with its margin
     double margin_u_, margin_v_;
     double reach_u_, reach_v_;                     ///< from the centre to the margin's end
     bool regular_ = false;                         ///< the slopes at the centre span a plane
-    Vec3d slope_u_{0}, slope_v_{0};                ///< at the centre
-    double off_u_ = 0, off_v_ = 0;                 ///< bounds on the slopes' differences from those
     Vec3d n_{0}, rows_[2] = {Vec3d(0), Vec3d(0)};  ///< N; a and b
     Second normal_, a_, b_;
 };
-
-/// Whether the triangle, its corners on the surface, is proved to be within the tolerance of the
-/// patch: as a whole, or in parts after halving its sides `halvings` times.
-bool is_near(const Bicubic<double>& p, const Curvature& curvature, const ChordTriangle& t,
-             double tolerance, int halvings);
 
 }  // namespace lancer::splines

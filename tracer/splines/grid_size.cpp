@@ -1,7 +1,6 @@
 #include "tracer/splines/grid_size.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "tracer/splines/certificate.h"
@@ -11,7 +10,8 @@ namespace {
 
 constexpr int most_steps = 1 << 20;
 constexpr int samples = 9;      ///< each way, for the guess
-constexpr double finer = 1.06;  ///< steps of the search for a grid with a proof
+constexpr double finer = 1.03;  ///< steps of the search for a grid with a proof
+constexpr double few = 100;     ///< cells up to which every grid is tried
 
 int ceiled(double x) {
     if (!(x > 1)) return 1;
@@ -25,7 +25,11 @@ struct Bends {
     };
     std::vector<Bend> at;
 
-    Bends(const Bicubic<double>& p, const Curvature& curvature) {
+    /// Places without a normal are left out, where there are others: beside them a slide along the
+    /// surface is no distance either.
+    explicit Bends(const Bicubic<double>& p) {
+        const Curvature curvature(p);
+        std::vector<Bend> without_normal;
         for (int i = 0; i < samples; ++i) {
             for (int j = 0; j < samples; ++j) {
                 // Near the border: there the derivatives are often largest.
@@ -33,18 +37,19 @@ struct Bends {
                 const double v = (j + 0.01) / (samples - 0.98);
                 const PatchSample<double> s = sample(p, Place<double>(u), Place<double>(v));
                 const Curvature here = curvature.over(u, u, v, v);
+                const Vec3d& uu = here.uu.c[0][0];
+                const Vec3d& uv = here.uv.c[0][0];
+                const Vec3d& vv = here.vv.c[0][0];
                 const Vec3d n = cross(s.du, s.dv);
                 const double size = length(n);
-                if (!(size > 1e-4 * length(s.du) * length(s.dv))) {
-                    // Without a normal no proof tells slides from distance.
-                    at.push_back({length(here.uu.c[0][0]), length(here.uv.c[0][0]),
-                                  length(here.vv.c[0][0])});
-                    continue;
+                if (size > 1e-4 * length(s.du) * length(s.dv)) {
+                    at.push_back({dot(n, uu) / size, dot(n, uv) / size, dot(n, vv) / size});
+                } else {
+                    without_normal.push_back({length(uu), length(uv), length(vv)});
                 }
-                at.push_back({dot(n, here.uu.c[0][0]) / size, dot(n, here.uv.c[0][0]) / size,
-                              dot(n, here.vv.c[0][0]) / size});
             }
         }
+        if (at.empty()) at = std::move(without_normal);
     }
 
     /// The largest chord error of cells du x dv, each halved the better way.
@@ -78,12 +83,18 @@ double steps_v(const Bends& bends, double steps_u, double tolerance) {
 /// Proves a grid, in as large parts as will do.
 class Proof {
   public:
-    Proof(const Bicubic<double>& p, const Curvature& curvature, double tolerance, Grid& grid)
-        : p_(p), curvature_(curvature), tolerance_(tolerance), grid_(grid) {}
+    /// \param failed  where other grids failed: looked at first, and added to
+    Proof(const NearPatch& patch, Grid& grid, std::vector<Vec2d>& failed)
+        : patch_(patch), grid_(grid), failed_(failed) {}
 
     bool holds() {
         grid_.rising.assign(static_cast<std::size_t>(grid_.u) * static_cast<std::size_t>(grid_.v),
                             1);
+        for (std::size_t k = failed_.size(); k-- > 0;) {
+            if (!cell_holds(std::min(static_cast<int>(failed_[k].x * grid_.u), grid_.u - 1),
+                            std::min(static_cast<int>(failed_[k].y * grid_.v), grid_.v - 1)))
+                return false;
+        }
         return holds(0, grid_.u, 0, grid_.v);
     }
 
@@ -93,10 +104,10 @@ class Proof {
         const double dv = 1.0 / grid_.v;
         // The proof for a part worsens with its size; of a large one nothing is expected.
         if ((i1 - i0) * du <= 0.5 && (j1 - j0) * dv <= 0.5) {
-            const Certificate part(p_, curvature_, i0 * du, i1 * du, j0 * dv, j1 * dv, du / 4,
-                                   dv / 4);
-            const bool rising = part.cell_distance(du, dv, true) <= tolerance_;
-            if (rising || part.cell_distance(du, dv, false) <= tolerance_) {
+            const Certificate part(patch_.points(), patch_.curvature(), i0 * du, i1 * du, j0 * dv,
+                                   j1 * dv, du / 4, dv / 4);
+            const bool rising = part.cell_distance(du, dv, true) <= patch_.tolerance();
+            if (rising || part.cell_distance(du, dv, false) <= patch_.tolerance()) {
                 for (int j = j0; j < j1; ++j) {
                     for (int i = i0; i < i1; ++i)
                         grid_.rising[static_cast<std::size_t>(j) *
@@ -106,7 +117,12 @@ class Proof {
                 return true;
             }
         }
-        if (i1 - i0 == 1 && j1 - j0 == 1) return cell_holds(i0, j0);
+        if (i1 - i0 == 1 && j1 - j0 == 1) {
+            if (cell_holds(i0, j0)) return true;
+            if (failed_.size() == 8) failed_.erase(failed_.begin());
+            failed_.emplace_back((i0 + 0.5) / grid_.u, (j0 + 0.5) / grid_.v);
+            return false;
+        }
         if (i1 - i0 >= j1 - j0) {
             const int middle = (i0 + i1) / 2;
             return holds(i0, middle, j0, j1) && holds(middle, i1, j0, j1);
@@ -115,34 +131,34 @@ class Proof {
         return holds(i0, i1, j0, middle) && holds(i0, i1, middle, j1);
     }
 
-    /// A cell for itself, looked at closely where there are few.
     bool cell_holds(int i, int j) {
-        const int cells = grid_.u * grid_.v;
-        const int halvings = cells <= 400 ? 3 : cells <= 4000 ? 2 : 0;
         const auto at = [&](int a, int b) {
-            return Vec2d(static_cast<double>(i + a) / grid_.u,
-                         static_cast<double>(j + b) / grid_.v);
+            return Footed::on(patch_.points(), {static_cast<double>(i + a) / grid_.u,
+                                                static_cast<double>(j + b) / grid_.v});
         };
-        const auto near = [&](const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-            return is_near(p_, curvature_, chord_triangle(p_, {a, b, c}), tolerance_, halvings);
+        const std::array corner{at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+        const auto halves_hold = [&](std::size_t from) {
+            const Footed& a = corner[from];
+            const Footed& c = corner[from + 2];
+            return patch_.holds({a, corner[from + 1], c}) &&
+                   patch_.holds({a, c, corner[(from + 3) % 4]});
         };
         std::uint8_t& rising =
             grid_.rising[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.u) +
                          static_cast<std::size_t>(i)];
-        rising = near(at(0, 0), at(1, 0), at(1, 1)) && near(at(0, 0), at(1, 1), at(0, 1));
-        return rising || (near(at(0, 0), at(1, 0), at(0, 1)) && near(at(1, 0), at(1, 1), at(0, 1)));
+        rising = halves_hold(0);
+        return rising || halves_hold(1);
     }
 
-    const Bicubic<double>& p_;
-    const Curvature& curvature_;
-    double tolerance_;
+    const NearPatch& patch_;
     Grid& grid_;
+    std::vector<Vec2d>& failed_;
 };
 
 }  // namespace
 
 Grid likely_grid(const Bicubic<double>& p, double tolerance) {
-    const Bends bends(p, Curvature(p));
+    const Bends bends(p);
     // Steps in u in ratios; the product is flat near its least, so this is near enough.
     double best = 0;
     Grid grid{most_steps, most_steps, {}};
@@ -157,87 +173,32 @@ Grid likely_grid(const Bicubic<double>& p, double tolerance) {
     return grid;
 }
 
-namespace {
-
-/// With these steps at least, and a proof.
-Grid grid_from(const Bicubic<double>& p, const Curvature& curvature, double tolerance, double u,
-               double v) {
-    for (;; u = std::max(u * finer, u + 0.5), v = std::max(v * finer, v + 0.5)) {
-        Grid grid{std::max(2, ceiled(u)), std::max(2, ceiled(v)), {}};
-        if (Proof(p, curvature, tolerance, grid).holds()) return grid;
-    }
-}
-
-}  // namespace
-
-Grid finer_grid(const Bicubic<double>& p, const Curvature& curvature, double tolerance,
-                const Grid& grid) {
-    return grid_from(p, curvature, tolerance, grid.u * 1.25, grid.v * 1.25);
-}
-
-Grid proved_grid(const Bicubic<double>& p, const Curvature& curvature, double tolerance) {
-    const Grid likely = likely_grid(p, tolerance);
-    Grid grid = grid_from(p, curvature, tolerance, likely.u, likely.v);
-    // A coarse grid may do with less than its samples said.
-    const auto try_less = [&](int u, int v) {
-        Grid less{u, v, {}};
-        if (u < 2 || v < 2 || !Proof(p, curvature, tolerance, less).holds()) return false;
-        grid = std::move(less);
+Grid proved_grid(const NearPatch& patch, int least_u, int least_v) {
+    const Grid likely = likely_grid(patch.points(), patch.tolerance());
+    std::vector<Vec2d> failed;
+    Grid grid;
+    const auto try_grid = [&](int u, int v) {
+        Grid next{u, v, {}};
+        if (u < least_u || v < least_v || !Proof(patch, next, failed).holds()) return false;
+        grid = std::move(next);
         return true;
     };
-    while (static_cast<std::int64_t>(grid.u) * grid.v <= 1000 &&
-           (try_less(grid.u - 1, grid.v) || try_less(grid.u, grid.v - 1))) {
-    }
-    return grid;
-}
-
-namespace {
-
-/// Whether every one of `steps` chords is within the tolerance of its piece of the cubic: at most
-/// 3/4 of the inner control points' distance from the chord's line, as the weights 3 s (1 - s)^2
-/// and 3 s^2 (1 - s) show. Over every point of the chord there is a point of the curve.
-bool chords_hold(const std::array<Vec3d, 4>& curve, int steps, double tolerance) {
-    for (int i = 0; i < steps; ++i) {
-        std::array<Vec3d, 4> piece = curve;
-        restrict_to(piece, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps);
-        const Vec3d chord = piece[3] - piece[0];
-        const double size = length(chord);
-        for (const std::size_t k : {1u, 2u}) {
-            const Vec3d d = piece[k] - piece[0];
-            const double away = size > 0 ? length(cross(d, chord)) / size : length(d);
-            if (!(0.75 * away <= tolerance)) return false;
+    const double cells = static_cast<double>(likely.u) * likely.v;
+    if (cells <= few) {
+        for (int count = std::max(1, static_cast<int>(cells / 3)); count < 3 * cells; ++count) {
+            for (int u = 1; u <= count; ++u) {
+                if (count % u == 0 && try_grid(u, count / u)) return grid;
+            }
         }
     }
-    return true;
-}
-
-}  // namespace
-
-int likely_curve_steps(const Vec3d& p0, const Vec3d& p1, const Vec3d& p2, const Vec3d& p3,
-                       double tolerance) {
-    const double a = length((p0 + p2) - 2.0 * p1);
-    const double b = length((p1 + p3) - 2.0 * p2);
-    // |S''| <= 6 max, and a chord over a step h errs by at most h^2 / 8 of it.
-    return ceiled(std::sqrt(6 * std::max(a, b) / (8 * tolerance)));
-}
-
-int curve_steps(const Vec3d& p0, const Vec3d& p1, const Vec3d& p2, const Vec3d& p3,
-                double tolerance) {
-    const int enough = likely_curve_steps(p0, p1, p2, p3, tolerance);
-    if (enough > 1000) return enough;
-    std::array<Vec3d, 4> curve{p0, p1, p2, p3};
-    // The same bits whichever way the curve runs.
-    const auto key = [](const Vec3d& p, const Vec3d& q) {
-        return std::array{p.x, p.y, p.z, q.x, q.y, q.z};
-    };
-    if (key(p3, p2) < key(p0, p1)) std::ranges::reverse(curve);
-    // Points of a chord may be far from the curve's at equal parameters, along it. But not too far:
-    // the triangles beside it would be hard to fit.
-    int steps = likely_curve_steps(p0, p1, p2, p3, tolerance * 4 / 3);
-    for (; steps < enough; steps += 1 + steps / 16) {
-        if (chords_hold(curve, steps, tolerance)) return steps;
+    double more = 0.9;
+    while (!try_grid(std::max(least_u, ceiled(more * likely.u)),
+                     std::max(least_v, ceiled(more * likely.v))))
+        more *= finer;
+    while (try_grid(static_cast<int>(grid.u / finer), grid.v) ||
+           try_grid(grid.u, static_cast<int>(grid.v / finer))) {
     }
-    return enough;
+    return grid;
 }
 
 }  // namespace lancer::splines

@@ -17,23 +17,42 @@ inline Bicubic<Wide> wide(const BezierPatch& p) {
     return w;
 }
 
-/// Upper bound of the distance from q to the patch, the search ending once it is no more than
-/// `enough`: the best found by Gauss-Newton steps from (u, v).
-inline Wide distance(const Bicubic<Wide>& p, const Vec3<Wide>& q, Wide u, Wide v, Wide enough) {
-    Wide best = std::numeric_limits<Wide>::infinity();
-    for (int i = 0; i < 6 && best > enough; ++i) {
-        const auto s = sample(p, Place<Wide>(u), Place<Wide>(v));
-        const Vec3<Wide> d = q - s.point;
+/// Distance from q to the best place found by Gauss-Newton steps from (u, v), or to the first that
+/// is no more than `enough` away.
+template <class Real>
+Real distance_near(const Bicubic<Real>& p, const Vec3<Real>& q, Vec2<Real> at, Real enough) {
+    Real best = std::numeric_limits<Real>::infinity();
+    for (int i = 0; i < 8 && best > enough; ++i) {
+        const auto s = sample(p, Place<Real>(at.x), Place<Real>(at.y));
+        const Vec3<Real> d = q - s.point;
         best = std::min(best, length(d));
-        const Wide a = dot(s.du, s.du);
-        const Wide b = dot(s.du, s.dv);
-        const Wide c = dot(s.dv, s.dv);
-        const Wide det = a * c - b * b;
-        if (!(det > 0)) break;
-        const Wide x = dot(s.du, d);
-        const Wide y = dot(s.dv, d);
-        u = std::clamp<Wide>(u + (c * x - b * y) / det, 0, 1);
-        v = std::clamp<Wide>(v + (a * y - b * x) / det, 0, 1);
+        const Real a = dot(s.du, s.du);
+        const Real b = dot(s.du, s.dv);
+        const Real c = dot(s.dv, s.dv);
+        const Real x = dot(s.du, d);
+        const Real y = dot(s.dv, d);
+        // Along a border that a step would cross.
+        const bool u_ends = (at.x <= 0 && x < 0) || (at.x >= 1 && x > 0);
+        const bool v_ends = (at.y <= 0 && y < 0) || (at.y >= 1 && y > 0);
+        const Real det = a * c - b * b;
+        Vec2<Real> step(u_ends || !(a > 0) ? 0 : x / a, v_ends || !(c > 0) ? 0 : y / c);
+        if (!u_ends && !v_ends && det > Real(1e-12) * a * c)
+            step = {(c * x - b * y) / det, (a * y - b * x) / det};
+        at = {std::clamp<Real>(at.x + step.x, 0, 1), std::clamp<Real>(at.y + step.y, 0, 1)};
+    }
+    return best;
+}
+
+/// Upper bound of the distance from q to the patch, the search ending once it is no more than
+/// `enough`: from `at`, then from all over the patch.
+template <class Real>
+Real distance(const Bicubic<Real>& p, const Vec3<Real>& q, const Vec2<Real>& at, Real enough) {
+    Real best = distance_near(p, q, at, enough);
+    constexpr int starts = 20;
+    for (int k = 0; k < starts * starts && best > enough; ++k) {
+        const Vec2<Real> from((Real(k % starts) + Real(0.5)) / starts,
+                              (Real(k / starts) + Real(0.5)) / starts);
+        best = std::min(best, distance_near(p, q, from, enough));
     }
     return best;
 }
@@ -65,7 +84,7 @@ inline Wide measured_distance(const Patch& patch, const Mesh& mesh, int samples,
                 }
                 const Wide u = std::clamp<Wide>(uv.x * net.columns - column, 0, 1);
                 const Wide v = std::clamp<Wide>(uv.y * net.rows - row, 0, 1);
-                worst = std::max(worst, distance(p, q, u, v, worst));
+                worst = std::max(worst, distance(p, q, {u, v}, worst));
             }
         }
     }

@@ -9,6 +9,7 @@
 #include "model/patch_net.h"
 #include "tracer/render.h"
 #include "tracer/shapes/bicubic.h"
+#include "tracer/splines/tessellate.h"
 
 namespace lancer {
 namespace {
@@ -204,6 +205,39 @@ TEST(TruePatch, NothingShinesThroughACommonBorderAtAnyZoom) {
         for (const Vec3d& way : {Vec3d(0.1, 4, 0.2), Vec3d(1, 3, 0.9), Vec3d(-0.3, -2, 0.4)}) {
             for (double height = 0.05; height > 1e-13; height /= 32) {
                 EXPECT_EQ(leaks(two, {at, at + way}, height, 64), 0) << s << " " << height;
+            }
+        }
+    }
+}
+
+TEST(TessellatedPatch, NothingShinesThroughACommonBorderAtAnyZoom) {
+    for (const auto& [a, b] : {std::pair{1e-2, 1e-2}, {1e-1, 1e-3}, {1e-3, 1e-1}}) {
+        std::vector<Patch> two = neighbours(false);
+        two[0].tolerance = a;
+        two[1].tolerance = b;
+        splines::BorderTolerances borders;
+        borders.add(two[0], a);
+        borders.add(two[1], b);
+        const Mesh mesh = splines::tessellate(two[0], a, &borders).value();
+        // Vertices of the border and the middles of its edges.
+        std::vector<Vec3d> places;
+        for (const auto& face : mesh.faces) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto from = face[k];
+                const auto to = face[(k + 1) % 3];
+                if (mesh.uvs[from].y != 1 || mesh.uvs[to].y != 1) continue;
+                if (std::abs(mesh.uvs[from].x - 0.5) > 0.3) continue;
+                places.push_back(mesh.vertices[from]);
+                places.push_back((mesh.vertices[from] + mesh.vertices[to]) / 2.0);
+            }
+        }
+        ASSERT_GE(places.size(), 2u);
+        const std::size_t stride = places.size() / 4 | 1;
+        for (std::size_t i = 0; i < places.size(); i += stride) {
+            for (const Vec3d& way : {Vec3d(0.1, 4, 0.2), Vec3d(-0.3, -2, 0.4)}) {
+                for (double height = 0.05; height > 1e-13; height /= 64)
+                    EXPECT_EQ(leaks(two, {places[i], places[i] + way}, height, 32), 0)
+                        << a << " " << b << " " << i << " " << height;
             }
         }
     }

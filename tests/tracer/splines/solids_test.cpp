@@ -1,10 +1,12 @@
 // Lathes, prisms and patches in whole pictures.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "model/diagnostic.h"
+#include "model/splines.h"
 #include "tracer/render.h"
 
 namespace lancer {
@@ -170,6 +172,71 @@ TEST(SplineSolids, AClosedBodyShowsNoLightFromBehindItsSeams) {
             for (const double value : image.data) leaks += value > 0;
             EXPECT_EQ(leaks, 0) << which << " " << zoom;
         }
+    }
+}
+
+/// Lit pixels of a black body before a white world, seen from outside at a place of its surface
+/// towards a place within.
+int leaks(Stage& stage, const Vec3d& at, const Vec3d& within, double height) {
+    Camera& camera = stage.scene.cameras.front();
+    camera.position = at - 3.0 * (within - at);
+    camera.look_at = at;
+    camera.up = {0.1, 0.9, 0.3};
+    camera.projection = OrthographicProjection{height};
+    const Image image = stage.render(48);
+    return static_cast<int>(
+        std::ranges::count_if(image.data, [](double value) { return value > 0; }));
+}
+
+Stage black_stage() {
+    Stage stage;
+    stage.scene.background = {1, 1, 1};
+    return stage;
+}
+
+Material black() {
+    Material m;
+    m.color = {0, 0, 0};
+    return m;
+}
+
+TEST(SplineSolids, NoJointOfAnyKindOfCurveLeaksAtAnyZoom) {
+    const std::vector<Vec2d> flower{{1, 0},       {0.9, 0.5}, {0.3, 0.9},  {-0.5, 0.8}, {-1, 0.3},
+                                    {-0.9, -0.4}, {-0.4, -1}, {0.4, -0.9}, {0.9, -0.5}};
+    const Affine<double> map = turned_and_scaled(1);
+    for (const Spline spline :
+         {Spline::linear, Spline::bezier, Spline::bspline, Spline::catmull_rom}) {
+        Stage lathe = black_stage();
+        lathe.add_lathe(spline, goblet, black());
+        Stage prism = black_stage();
+        const auto& outline = spline == Spline::bezier ? flower : star;
+        prism.add_prism(spline, outline, black());
+        int joints = 0;
+        for (double zoom = 1; zoom > 1e-13; zoom /= 1e3) {
+            const PlaneCurve profile = profile_curve(spline, goblet);
+            for (std::size_t i = 1; i < profile.segments(); ++i) {
+                const Vec2d p = profile.points[i * profile.degree];
+                EXPECT_EQ(leaks(lathe, map_point(map, Vec3d(p.x, p.y, 0)),
+                                map_point(map, Vec3d(0, 0, 0)), 0.02 * zoom),
+                          0)
+                    << "lathe " << static_cast<int>(spline) << " " << i << " " << zoom;
+                ++joints;
+            }
+            const PlaneCurve around = outline_curve(spline, outline);
+            for (std::size_t i = 0; i < around.segments(); ++i) {
+                const Vec2d p = around.points[i * around.degree];
+                // Beside the joint and, from above, where it meets the cap.
+                for (const double y : {0.1, 0.5}) {
+                    EXPECT_EQ(leaks(prism, map_point(map, Vec3d(p.x, y, p.y)),
+                                    map_point(map, Vec3d(0, 0, 0)), 0.02 * zoom),
+                              0)
+                        << "prism " << static_cast<int>(spline) << " " << i << " " << y << " "
+                        << zoom;
+                    ++joints;
+                }
+            }
+        }
+        EXPECT_GE(joints, 25);
     }
 }
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "model/patch_net.h"
-#include "tests/tracer/splines/mesh_distance.h"
+#include "tests/tracer/splines/fewest_grid.h"
 
 namespace lancer::splines {
 namespace {
@@ -70,55 +70,16 @@ TEST(Tessellate, EachPatchIsCutAsIfAlone) {
     }
 }
 
-/// The fewest triangles of a uniform grid whose measured distance keeps the tolerance.
-std::size_t fewest_uniform(const Patch& patch, double tolerance) {
-    const auto p = wide(bezier_net(patch).patch(0, 0));
-    const auto holds = [&](int nu, int nv) {
-        for (int i = 0; i < nu; ++i) {
-            for (int j = 0; j < nv; ++j) {
-                const auto at = [&](int k, int l) {
-                    return sample(p, Place<Wide>(k, nu), Place<Wide>(l, nv)).point;
-                };
-                const Vec3<Wide> a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1),
-                                 d = at(i, j + 1);
-                const auto ok = [&](const Vec3<Wide>& q, Wide x, Wide y) {
-                    return distance(p, q, (Wide(i) + x) / nu, (Wide(j) + y) / nv, tolerance) <=
-                           tolerance;
-                };
-                if (!ok((a + c) / Wide(2), 0.5, 0.5) || !ok((a + b) / Wide(2), 0.5, 0) ||
-                    !ok((b + c) / Wide(2), 1, 0.5) || !ok((c + d) / Wide(2), 0.5, 1) ||
-                    !ok((d + a) / Wide(2), 0, 0.5) ||
-                    !ok((a + b + c) / Wide(3), 2.0L / 3, 1.0L / 3) ||
-                    !ok((a + c + d) / Wide(3), 1.0L / 3, 2.0L / 3)) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    };
-    std::size_t best = std::numeric_limits<std::size_t>::max();
-    constexpr int most = 150;
-    // From many steps in u to few, the steps in v can only grow.
-    int nv = 1;
-    for (int nu = most; nu >= 1; nu = nu * 10 / 11) {
-        while (nv < most && !holds(nu, nv)) ++nv;
-        if (nv >= most) break;
-        best = std::min(best, static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv) * 2);
-    }
-    return best;
-}
-
 TEST(Tessellate, FewTrianglesForItsPromise) {
-    // What a bound costs against measuring: the fewest are found by trial, tessellate() may not
-    // try.
-    // Two dozen more for the rim, where the number of vertices is the border's own affair.
-    for (unsigned seed = 0; seed < 6; ++seed) {
-        const Patch patch = random_patch(seed, 1, seed % 2 == 0 ? 1 : 0.1);
-        for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
-            if (tolerance < 1e-2 && seed > 1) continue;  // takes long to try
-            const auto mesh = tessellate(patch, tolerance);
-            EXPECT_LE(mesh->faces.size(), 2 * fewest_uniform(patch, tolerance) + 24)
-                << seed << " " << tolerance;
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        for (const double flatness : {1.0, 0.3, 0.1}) {
+            const Patch patch = random_patch(seed, 1, flatness);
+            for (const double tolerance : {1e-1, 3e-2, 1e-2}) {
+                const std::size_t triangles = tessellate(patch, tolerance)->faces.size();
+                UniformGrids grids(bezier_net(patch).patch(0, 0), tolerance);
+                EXPECT_LE(triangles, 2 * grids.fewest(triangles))
+                    << seed << " " << flatness << " " << tolerance;
+            }
         }
     }
 }
@@ -274,6 +235,38 @@ TEST(Tessellate, TooManyTrianglesAreRefusedBeforeTheyAreMade) {
     line.control[15] = {1, 2, 3};
     EXPECT_FALSE(tessellate(line, 1e-16));
     EXPECT_TRUE(tessellate(line, 1e-3));
+}
+
+TEST(Tessellate, AToleranceFinerThanTheRoundingsIsTheRounding) {
+    // Flat but for roundings, and far away: no triangle is nearer than the points' last digits.
+    for (const double away : {0.0, 1e9}) {
+        Patch patch;
+        for (int i = 0; i < 16; ++i)
+            patch.control.push_back(Vec3d(away) + Vec3d(i % 4, i / 4, i % 4 + i / 4) / 3.0);
+        EXPECT_EQ(tessellate(patch, 1e-18)->faces.size(), 2u) << away;
+    }
+}
+
+TEST(Tessellate, WildPatchesTakeFiniteTimeAndKeepTheirPromise) {
+    // Control points anywhere, many of them the same; borders that fold, close and shrink.
+    for (unsigned seed = 0; seed < 120; ++seed) {
+        std::mt19937 generator(seed);
+        std::uniform_real_distribution<double> place(-1, 1);
+        std::uniform_int_distribution<std::size_t> which(0, 15);
+        Patch patch = random_patch(seed, 1, 1);
+        auto& c = patch.control;
+        for (std::size_t k = 0; k < 16; ++k) {
+            if (seed % 4 == 0) c[k] = {place(generator), place(generator), place(generator)};
+            if (seed % 4 == 1 && k < 10) c[which(generator)] = c[which(generator)];
+            if (seed % 4 == 2 && k < 4) c[k] = c[4 + k] = seed % 8 == 2 ? c[12 + k] : c[4];
+            if (seed % 4 == 3) c[k].y *= k % 3 == 0 ? 20 : 0;
+        }
+        const double tolerance = seed % 3 == 0 ? 0.3 : 0.02;
+        const auto mesh = tessellate(patch, tolerance);
+        ASSERT_TRUE(mesh);
+        EXPECT_LE(measured_distance(patch, *mesh, 4, mesh->faces.size() / 200 | 1), tolerance)
+            << seed;
+    }
 }
 
 }  // namespace

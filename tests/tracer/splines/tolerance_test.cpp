@@ -1,9 +1,11 @@
 // The promise of a tolerance, for all tolerances, the teapot and patches of any size. Slow.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "model/io/file.h"
 #include "parser/parse.h"
-#include "tests/tracer/splines/mesh_distance.h"
+#include "tests/tracer/splines/fewest_grid.h"
 #include "tracer/splines/tessellate.h"
 
 namespace lancer::splines {
@@ -19,6 +21,23 @@ double worst_share(const Patch& patch, double tolerance) {
     // An odd stride, so that not every second triangle of a cell is left out.
     const std::size_t every = mesh->faces.size() / enough | 1;
     return static_cast<double>(measured_distance(patch, *mesh, 5, every) / tolerance);
+}
+
+std::vector<Patch> teapot() {
+    const std::string path = std::string(LANCER_SOURCE_DIR) + "/scenes/gallery/teapot.lancer";
+    SourceMap sources;
+    std::vector<Diagnostic> found;
+    const Script script = parse_script(path, io::read_file(path), {}, sources, found);
+    return evaluate(script, {}, {}, sources, found, disk_loader()).scene.patches;
+}
+
+/// Triangles in parts of the fewest of a uniform grid.
+double share_of_fewest(const Patch& patch, double tolerance) {
+    const auto mesh = tessellate(patch, tolerance);
+    if (!mesh) return 0;
+    UniformGrids grids(bezier_net(patch).patch(0, 0), tolerance);
+    return static_cast<double>(mesh->faces.size()) /
+           static_cast<double>(grids.fewest(mesh->faces.size()));
 }
 
 class Tolerance : public testing::TestWithParam<double> {};
@@ -37,17 +56,33 @@ TEST_P(Tolerance, RandomPatchesAreWithinItAtAnyScale) {
 }
 
 TEST_P(Tolerance, TheTeapotIsWithinIt) {
-    const std::string path = std::string(LANCER_SOURCE_DIR) + "/scenes/gallery/teapot.lancer";
-    SourceMap sources;
-    std::vector<Diagnostic> found;
-    const Script script = parse_script(path, io::read_file(path), {}, sources, found);
-    const Scene scene = evaluate(script, {}, {}, sources, found, disk_loader()).scene;
-    ASSERT_EQ(scene.patches.size(), 32u);
-    for (std::size_t i = 0; i < scene.patches.size(); ++i) {
+    const std::vector<Patch> patches = teapot();
+    ASSERT_EQ(patches.size(), 32u);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
         // The finest take long: a quarter of the patches then, of each part of it one.
         if (GetParam() < 1e-3 && i % 4 != 0) continue;
-        EXPECT_LE(worst_share(scene.patches[i], GetParam()), 1) << i;
+        EXPECT_LE(worst_share(patches[i], GetParam()), 1) << i;
     }
+}
+
+TEST_P(Tolerance, TakesAtMostTwiceTheTrianglesOfTheCoarsestUniformGrid) {
+    double worst = 0;
+    const auto look = [&](const Patch& patch, double tolerance, const std::string& name) {
+        const double share = share_of_fewest(patch, tolerance);
+        EXPECT_LE(share, 2) << name;
+        worst = std::max(worst, share);
+    };
+    const std::vector<Patch> patches = teapot();
+    for (std::size_t i = 0; i < patches.size(); i += GetParam() < 1e-3 ? 4 : 1)
+        look(patches[i], GetParam(), "teapot " + std::to_string(i));
+    for (unsigned seed = 0; seed < (GetParam() < 1e-3 ? 2 : 6); ++seed) {
+        for (const double factor : {1.0, 1e9, 1e-9}) {
+            look(random_patch(seed, factor, seed % 2 == 0 ? 1 : 0.1), GetParam() * factor,
+                 "random " + std::to_string(seed));
+        }
+    }
+    EXPECT_GT(worst, 0.8);  // else the grids would be judged too severely
+    std::printf("at most %.2f times the fewest\n", worst);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tens, Tolerance, testing::Values(1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6));
