@@ -27,11 +27,10 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
                             [&](const Crossing<Real>& c, Real, Real) {
                                 if (light_may_pass && p.transmissive) {
                                     if (c.t >= -c.error && c.t < distance) way = Way::filtered;
-                                    return false;
+                                } else if (accept(index, c) && c.t < distance - c.error) {
+                                    way = Way::blocked;
                                 }
-                                if (!accept(index, c) || !(c.t < distance - c.error)) return false;
-                                way = Way::blocked;
-                                return true;
+                                return way == Way::blocked;
                             });
         return way == Way::blocked;
     });
@@ -46,7 +45,7 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
 template <class Real>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
                          const SurfaceList& touched, Media media) {
-    Start<Real> start{0, true, touched};
+    Start<Real> start{0, touched};
     MediaList& bodies = media.bodies;
     const Way way = survey(world, ray, distance, start, bodies);
     if (way == Way::blocked) return Vec3<Real>(0);
@@ -82,7 +81,7 @@ Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real di
 template <class Real>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
                          const SurfaceList& touched, NoMedia media) {
-    const Way way = survey(world, ray, distance, Start<Real>{0, true, touched}, media);
+    const Way way = survey(world, ray, distance, Start<Real>{0, touched}, media);
     return Vec3<Real>(way == Way::blocked ? Real(0) : Real(1));
 }
 

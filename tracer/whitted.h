@@ -18,7 +18,7 @@ inline constexpr int max_straight_passes = 1000;
 template <class Real>
 class Whitted {
   public:
-    explicit Whitted(const World<Real>& world, bool absorption_by_povray = false)
+    Whitted(const World<Real>& world, bool absorption_by_povray)
         : world_(world), absorption_by_povray_(absorption_by_povray), lighting_(world) {}
 
     const RayCounts& counts() const { return lighting_.counts; }
@@ -29,8 +29,8 @@ class Whitted {
                           Witness<Real>* witness) {
         ++lighting_.counts.primary;
         lighting_.witness = witness;
-        return trace(ray, {at_camera, true, {}}, origins_.around(world_, from_camera), Real(1), 0,
-                     {});
+        const Real weight = 1;
+        return trace(ray, {at_camera}, origins_.around(world_, from_camera), weight, 0, {});
     }
 
   private:
@@ -84,7 +84,7 @@ class Whitted {
             if (c.ratio == 1) {
                 if (++straight_passes > max_straight_passes) return result;
                 media = after;
-                start = {t, false, std::move(touched)};
+                start = {t, std::move(touched), false};
                 continue;
             }
             if (!is_followed(world_, weight, level + 1)) return result;
@@ -93,7 +93,7 @@ class Whitted {
             Media next = leaving(front, c, c.bent, !c.total);
             ray = make_ray(front.position, front.position_lo, c.bent, front.error);
             media = std::move(next);
-            start = {0, true, std::move(touched)};
+            start = {0, std::move(touched)};
             left = front.id;
             ++level;
         }
@@ -178,8 +178,8 @@ class Whitted {
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
                 result += through * share.light * mirror *
-                          trace(ray, {0, true, c.touched}, leaving(s, c, direction, false),
-                                mirror_weight, level + 1, s.id);
+                          trace(ray, {0, c.touched}, leaving(s, c, direction, false), mirror_weight,
+                                level + 1, s.id);
             }
             if (!passes) return {true, share.light, share.weight};
             Vec3<Real> factor = s.passing;
