@@ -55,7 +55,7 @@ class Whitted {
                 return result + through * passed_forever(media) * world_.background;
             }
             const Real t = contact.front().t;
-            Vec3<Real> dimmed(1);
+            Vec3<Real> dimmed{};
             if (world_.has_media) {
                 counts.media_lost += drop_lost(world_, media.bodies, ray, t);
                 dimmed = absorbed_between(media, start.t, t);
@@ -68,7 +68,7 @@ class Whitted {
             const Media after = crossed(world_, media, contact);
             Step c{ray, touched, media, after};
             if (world_.has_media) c.ratio = index_of(world_, media) / index_of(world_, after);
-            if (contact.size() > 1) drop_seams(world_, contact, c.ratio);
+            drop_seams(world_, contact, c.ratio);
             const Surfaces surfaces = resolve(contact, ray);
             Share share;
             if (!surfaces.empty()) {
@@ -78,7 +78,8 @@ class Whitted {
             }
             if (share.ended) return result;
             through = through * share.light;
-            if (absorption_by_povray_ && is_dimmed_by_povray(surfaces, media, c.total))
+            if (absorption_by_povray_ && world_.has_media &&
+                is_dimmed_by_povray(surfaces, media, c.total))
                 through = through * dimmed;
             weight *= share.weight;
             if (c.ratio == 1) {

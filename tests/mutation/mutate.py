@@ -165,9 +165,8 @@ class Laboratory:
             if done is None:
                 return "does not end"
             if done.returncode != 0:
-                bad = [line for line in done.stdout.splitlines()
-                       if not re.search(r"\b(agrees|refused)\b|^scene ", line) and line.strip()]
-                return bad[0][:100] if bad else f"exit {done.returncode}"
+                bad = re.search(r"^\S+ +(differs|failed)\b.*", done.stdout, re.MULTILINE)
+                return re.sub(" +", " ", bad[0])[:60] if bad else f"exit {done.returncode}"
         return ""
 
 

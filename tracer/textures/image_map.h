@@ -90,7 +90,8 @@ TextureColor<Real> color_at(const ImagePattern<Real>& map, const ImagePoint<Real
     } else {
         value = bilinear(map, p.u * width, p.v * height);
     }
-    return {{value[0], value[1], value[2]}, image.channels > 3, value[3]};
+    const auto [red, green, blue, alpha] = value;
+    return {{red, green, blue}, image.channels > 3, alpha};
 }
 
 }  // namespace lancer
