@@ -28,6 +28,12 @@ Vec3<Real> map_point(const Affine<Real>& m, const Vec3<Real>& p) {
     return map_vector(m, p) + m.shift;
 }
 
+/// How far points move at most when each of their coordinates moves by up to that of `v`.
+template <class Real>
+Vec3<Real> map_bound(const Affine<Real>& m, const Vec3<Real>& v) {
+    return {dot(absolute(m.rows[0]), v), dot(absolute(m.rows[1]), v), dot(absolute(m.rows[2]), v)};
+}
+
 /// The transposed linear part times v: takes a normal from the image space back, when `m` is the
 /// inverse of the map that moved the surface.
 template <class Real>

@@ -47,16 +47,14 @@ Lens<Real> make_lens(const Camera& camera, int width, int height, int scale_expo
     const Vec3<Real> right = normalize(side / max_component(absolute(side)));
     const Vec3<Real> up = cross(right, lens.forward);
     const Real aspect = static_cast<Real>(width) / static_cast<Real>(height);
-    Real tall = 0;
-    if (const auto* perspective = std::get_if<PerspectiveProjection>(&camera.projection)) {
-        lens.orthographic = false;
-        tall = 2 * elementary::tan(static_cast<Real>(perspective->fov) / 2 *
-                                   static_cast<Real>(std::numbers::pi_v<Wide<Real>> / 180));
-    } else {
-        lens.orthographic = true;
-        tall = ldexp(static_cast<Real>(std::get<OrthographicProjection>(camera.projection).height),
-                     scale_exponent);
-    }
+    const auto* perspective = std::get_if<PerspectiveProjection>(&camera.projection);
+    lens.orthographic = perspective == nullptr;
+    const Real tall =
+        lens.orthographic
+            ? ldexp(static_cast<Real>(std::get<OrthographicProjection>(camera.projection).height),
+                    scale_exponent)
+            : 2 * elementary::tan(static_cast<Real>(perspective->fov) / 2 *
+                                  static_cast<Real>(std::numbers::pi_v<Wide<Real>> / 180));
     lens.right = right * (tall * aspect);
     lens.up = up * tall;
     return lens;

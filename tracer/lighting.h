@@ -18,7 +18,7 @@ struct Crossed {
     const Media& after;
     Real ratio = 1;      ///< of the indices before and after
     bool total = false;  ///< total internal reflection
-    Vec3<Real> bent{0};  ///< the refracted direction, or the mirrored one when `total`
+    Vec3<Real> bent{};   ///< the refracted direction, or the mirrored one when `total`
 
     /// What is around a ray that starts here, by the geometric normal alone: `direction` may lead
     /// back to the side that the ray came from, or to the other.
@@ -53,7 +53,7 @@ Vec3<Real> highlight(const Surface<Real>& s, const Vec3<Real>& ray_dir, const Ve
     if (f.blinn > 0) {
         const Vec3<Real> half = to_light - ray_dir;
         const Real size = length(half);
-        const Real along = size > 0 ? dot(s.normal, half) / size : Real(0);
+        const Real along = dot(s.normal, half) / size;  // NaN where they cancel
         if (along > 0) strength += f.blinn * elementary::pow(along, f.inverse_roughness);
     }
     return tinted(s, cosine, color) * strength;
@@ -81,7 +81,7 @@ class Lighting {
             const Illumination<Real> at = illuminate(light, s.position, s.position_lo);
             const Real cosine = dot(s.normal, at.direction);
             const bool front = cosine > 0;
-            if (front ? !(matt_in_front || glossy) : !(cosine < 0 && f.lit_from_behind)) continue;
+            if (front ? !(matt_in_front || glossy) : !f.lit_from_behind) continue;
             const Vec3<Real> color = at.color * reaching(i, light, s, c, at);
             if (!(max_component(absolute(color)) > 0)) continue;
             const Vec3<Real> matt = s.opacity * s.color * color;
@@ -112,13 +112,12 @@ class Lighting {
         if (world_.settings.shadows && light.shadows && max_component(absolute(at.color)) > 0) {
             ++counts.shadow;
             const Ray<Real> ray = make_ray(s.position, s.position_lo, at.direction, s.error);
-            const Start<Real> start{0, true, c.touched, left_for_good(s, at.direction)};
+            const Start<Real> start{0, c.touched, left_for_good(s, at.direction)};
             share = light_through(world_, ray, at.distance, start, c.towards(s, at.direction));
         }
-        const bool arrives = max_component(share) > 0;
+        const bool arrives = witness != nullptr && max_component(share) > 0;
         note((std::uint64_t(i) << 1) + (arrives ? 1 : 0));
-        if (witness != nullptr && !witness->settled && arrives && i < 64)
-            witness->lit |= std::uint64_t(1) << i;
+        if (arrives && !witness->settled && i < 64) witness->lit |= std::uint64_t(1) << i;
         return share;
     }
 

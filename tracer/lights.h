@@ -21,12 +21,12 @@ template <class Real>
     if (light.kind == Kind::directional)
         return {light.direction, std::numeric_limits<Real>::infinity(), light.color};
     const Vec3<Real> way = -difference(point, point_lo, light.position);
-    Illumination<Real> at{Vec3<Real>(0), length(way), light.color};
+    Illumination<Real> at{way, length(way), light.color};
     if (is_sound_square(length_squared(way))) {
         at.direction = way / at.distance;
     } else {
         const Real longest = max_component(absolute(way));
-        if (!(longest > 0)) return {Vec3<Real>(0), 0, Vec3<Real>(0)};  // the light is on the point
+        if (!(longest > 0)) return {way, longest, way};  // all 0: the light is on the point
         const Vec3<Real> scaled = way / longest;
         const Real scaled_length = length(scaled);
         at.direction = scaled / scaled_length;
@@ -40,10 +40,10 @@ template <class Real>
         if (cosine <= 0) {
             factor = 0;
         } else {
-            if (light.tightness != 0) factor *= elementary::pow(cosine, light.tightness);
+            factor *= elementary::pow(cosine, light.tightness);
             if (cosine < light.cos_radius) {
-                Real x = (cosine - light.cos_falloff) / (light.cos_radius - light.cos_falloff);
-                x = x < 0 ? Real(0) : (x > 1 ? Real(1) : x);
+                const Real x = std::max(
+                    Real(0), (cosine - light.cos_falloff) / (light.cos_radius - light.cos_falloff));
                 factor *= x * x * (3 - 2 * x);
             }
         }

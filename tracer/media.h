@@ -1,6 +1,8 @@
 // The bodies that a ray is inside of, from the camera on.
 #pragma once
 
+#include <optional>
+
 #include "tracer/query.h"
 
 namespace lancer {
@@ -53,7 +55,7 @@ class CameraMedia {
     Media around(const World<Real>& world, const Ray<Real>& ray) {
         Media media;
         if (!world.has_media) return media;
-        if (!known_ || ray.origin != origin_) look_around(world, ray.origin);
+        if (origin_ != ray.origin) look_around(world, ray.origin);
         for (const std::uint32_t body : near_) {
             if (starts_inside(world, body, ray)) media.bodies.push_back(body);
         }
@@ -68,11 +70,9 @@ class CameraMedia {
             if (world.medium_bounds[i].contains(origin)) near_.push_back(world.mediums[i]);
         }
         origin_ = origin;
-        known_ = true;
     }
 
-    bool known_ = false;
-    Vec3<Real> origin_{0};
+    std::optional<Vec3<Real>> origin_;
     MediaList near_;  ///< bodies whose bounds hold `origin_`
 };
 
@@ -119,17 +119,13 @@ Real index_of(const World<Real>& world, const Media& media) {
 template <class Real>
 std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray, Real t) {
     using std::abs;
-    if (media.empty()) return 0;
+    if (media.empty()) return {};
     const Vec3<Real> point = (ray.origin + t * ray.dir) + ray.origin_lo;
     const Vec3<Real> slack = gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(abs(t))) +
                              Vec3<Real>(ray.origin_error);
     const auto outside = [&](std::uint32_t body) {
         const Bounds<Real>& b = world.medium_bounds[world.primitives[body].medium_slot];
-        for (int axis = 0; axis < 3; ++axis) {
-            if (point[axis] + slack[axis] < b.min[axis] || point[axis] - slack[axis] > b.max[axis])
-                return true;
-        }
-        return false;
+        return !Bounds<Real>{b.min - slack, b.max + slack}.contains(point);
     };
     const auto end = std::remove_if(media.begin(), media.end(), outside);
     const auto lost = static_cast<std::uint64_t>(media.end() - end);

@@ -40,7 +40,8 @@ class OpaqueTracer {
                           Witness<Real>* witness) {
         ++lighting_.counts.primary;
         lighting_.witness = witness;
-        return trace(ray, {at_camera, true, {}}, Real(1), 0);
+        const Real weight = 1;
+        return trace(ray, {at_camera}, weight, 0);
     }
 
   private:
@@ -58,7 +59,8 @@ class OpaqueTracer {
         for (const Hit<Real>& hit : contact) touched.push_back(hit.surface);
         const Surface<Real> s = make_surface(world_, ray, declared_first(contact));
         if (lighting_.witness != nullptr) lighting_.witness->remember(s, t);
-        const Crossed<Real, NoMedia> c{ray, touched, nowhere, nowhere, Real(1), false, ray.dir};
+        Crossed<Real, NoMedia> c{ray, touched, nowhere, nowhere};
+        c.bent = ray.dir;
         lighting_.note(event_of(s));
         Vec3<Real> result = lighting_.local_color(s, c);
         if (lighting_.witness != nullptr) lighting_.witness->settled = true;
@@ -69,9 +71,9 @@ class OpaqueTracer {
             ++lighting_.counts.reflected;
             const Ray<Real> reflected =
                 make_ray(s.position, s.position_lo, mirrored(ray.dir, s.normal), s.error);
-            result += mirror * trace(reflected,
-                                     {0, true, std::move(touched), left_for_good(s, reflected.dir)},
-                                     weight * mirror_weight, level + 1);
+            result +=
+                mirror * trace(reflected, {0, std::move(touched), left_for_good(s, reflected.dir)},
+                               weight * mirror_weight, level + 1);
         }
         return result;
     }

@@ -23,11 +23,11 @@ inline bool contains(const MediaList& media, std::uint32_t primitive) {
 /// Where a ray goes on from.
 template <class Real>
 struct Start {
-    Real t = 0;  ///< hits before this parameter are behind
-    bool fresh =
-        true;  ///< the origin lies on `surfaces`; else the ray passed straight through them at t
-    SurfaceList surfaces;       ///< of the contact it comes from
+    Real t = 0;                 ///< hits before this parameter are behind
+    SurfaceList surfaces{};     ///< of the contact it comes from
     std::uint32_t left = none;  ///< a convex solid that it leaves for good: left_for_good()
+    /// The origin lies on `surfaces`; else the ray passed straight through them at t.
+    bool fresh = true;
 };
 
 template <class Real>

@@ -27,11 +27,10 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
                             [&](const Crossing<Real>& c, Real, Real) {
                                 if (light_may_pass && p.transmissive) {
                                     if (c.t >= -c.error && c.t < distance) way = Way::filtered;
-                                    return false;
+                                } else if (accept(index, c) && c.t < distance - c.error) {
+                                    way = Way::blocked;
                                 }
-                                if (!accept(index, c) || !(c.t < distance - c.error)) return false;
-                                way = Way::blocked;
-                                return true;
+                                return way == Way::blocked;
                             });
         return way == Way::blocked;
     });

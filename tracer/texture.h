@@ -35,16 +35,11 @@ TextureColor<Real> texture_color(const World<Real>& world, std::uint32_t texture
                 const ImagePoint<Real> uv = std::visit(
                     [&](const auto& chart) { return uv_at(chart, on_shape); }, seat.chart);
                 const Placement<Real> undo{pattern.from_uv};
-                const SurfacePoint<Real> flat{
-                    Vec3<Real>(uv.u, uv.v, 0), Vec3<Real>(0), 0, {}, {}, {}};
-                ImagePoint<Real> moved = planar(place(undo, flat));
-                const auto carried = [&](std::size_t row) {
-                    const Vec3<Real> a = absolute(pattern.from_uv.rows[row]);
-                    return a.x * uv.u_bound + a.y * uv.v_bound;
-                };
-                moved.u_bound += carried(0);
-                moved.v_bound += carried(1);
-                return color_at(pattern, moved);
+                SurfacePoint<Real> flat{};
+                flat.anchor = Vec3<Real>(uv.u, uv.v, 0);
+                PatternPoint<Real> moved = place(undo, flat);
+                moved.bound += map_bound(undo.map, Vec3<Real>(uv.u_bound, uv.v_bound, 0));
+                return color_at(pattern, planar(moved));
             } else {
                 return {color_at(pattern, p)};
             }

@@ -28,8 +28,8 @@ class Whitted {
                           Witness<Real>* witness) {
         ++lighting_.counts.primary;
         lighting_.witness = witness;
-        return trace(ray, {at_camera, true, {}}, origins_.around(world_, from_camera), Real(1), 0,
-                     {});
+        const Real weight = 1;
+        return trace(ray, {at_camera}, origins_.around(world_, from_camera), weight, 0, {});
     }
 
   private:
@@ -65,7 +65,7 @@ class Whitted {
             const Media after = crossed(world_, media, contact);
             Step c{ray, touched, media, after};
             if (world_.has_media) c.ratio = index_of(world_, media) / index_of(world_, after);
-            if (contact.size() > 1) drop_seams(world_, contact, c.ratio);
+            drop_seams(world_, contact, c.ratio);
             const Surfaces surfaces = resolve(contact, ray);
             Share share;
             if (!surfaces.empty()) {
@@ -79,7 +79,7 @@ class Whitted {
             if (c.ratio == 1) {
                 if (++straight_passes > max_straight_passes) return result;
                 media = after;
-                start = {t, false, std::move(touched), start.left};
+                start = {t, std::move(touched), start.left, false};
                 continue;
             }
             if (!is_followed(world_, weight, level + 1)) return result;
@@ -88,7 +88,7 @@ class Whitted {
             Media next = leaving(front, c, c.bent, !c.total);
             ray = make_ray(front.position, front.position_lo, c.bent, front.error);
             media = std::move(next);
-            start = {0, true, std::move(touched), left_for_good(front, ray.dir)};
+            start = {0, std::move(touched), left_for_good(front, ray.dir)};
             left = front.id;
             ++level;
         }
@@ -165,7 +165,7 @@ class Whitted {
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
                 result += through * share.light * mirror *
-                          trace(ray, {0, true, c.touched, left_for_good(s, direction)},
+                          trace(ray, {0, c.touched, left_for_good(s, direction)},
                                 leaving(s, c, direction, false), mirror_weight, level + 1, s.id);
             }
             if (!passes) return {true, share.light, share.weight};

@@ -6,8 +6,8 @@
 namespace lancer::reference::pov {
 
 /// `png "scene-0.png" gamma srgb`: the words that name image `index` in an image_map. The first
-/// call makes the asset. 8 bits where they hold every value exactly, so that POV-Ray's own sRGB
-/// curve is the judge; 16 bits otherwise.
+/// call makes the asset: 16 bits, sRGB where they hold every value exactly, so that POV-Ray's own
+/// curve judges the one that the image was read by; linear otherwise.
 std::string image_file_words(Writer& writer, std::uint32_t index, const SourceSpan& where);
 
 }  // namespace lancer::reference::pov

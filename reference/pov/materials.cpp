@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reference/pov/choices.h"
 #include "reference/pov/pigments.h"
 #include "reference/pov/window.h"
 
@@ -31,7 +32,7 @@ bool depends_on_shape(const Scene& scene, const Material& material) {
 namespace {
 
 std::string reflection(const Material& material) {
-    if (material.reflection == Color(0, 0, 0)) return "reflection 0";
+    if (!(max_component(material.reflection) > 0)) return "reflection 0";
     if (material.fresnel) return "reflection { " + rgb(material.reflection) + " fresnel on }";
     return "reflection { " + rgb(material.reflection) + " }";
 }
@@ -61,18 +62,22 @@ void write_own_texture(Writer& writer, const Material& material, const Object& o
 }
 
 /// A plain texture is the same at every size; a pattern is declared for each size that shows it.
-std::pair<std::uint32_t, int> texture_key(const Scene& scene, const Object& object,
-                                          PowerOfTen own) {
-    const bool patterned = texture_of(scene, scene.materials[object.material]) != nullptr;
-    return {object.material, patterned ? own.exponent : 0};
+TextureKey texture_key(const Writer& writer, const Object& object, PowerOfTen own) {
+    TextureKey key{object.material, {}};
+    if (texture_of(writer.scene, writer.scene.materials[object.material]) != nullptr)
+        key.second = own.exponent - writer.window.exponent;
+    return key;
 }
 
-std::string texture_name(const Writer& writer, std::uint32_t material, int exponent) {
+/// `T3_brick`, `T3_brick_m2`: the material's number and name, of which POV-Ray reads 40 bytes at
+/// most, and its size against the scene's if it has another.
+std::string texture_name(const Writer& writer, const TextureKey& key) {
+    const auto [material, decades] = key;
     const std::vector<std::string>& names = writer.scene.material_names;
-    const std::string given = material < names.size() ? identifier(names[material]) : "";
-    std::string name = fmt::format("T{}_{}", material, given.empty() ? "plain" : given);
-    if (exponent != 0 && exponent != writer.window.exponent)
-        name += fmt::format("_{}{}", exponent < 0 ? "m" : "p", std::abs(exponent));
+    const bool named = material < names.size() && !names[material].empty();
+    std::string name = fmt::format("T{}_{}", material,
+                                   named ? identifier(names[material]).substr(0, 24) : "plain");
+    if (decades != 0) name += fmt::format("_{}{}", decades < 0 ? "m" : "p", std::abs(decades));
     return name;
 }
 
@@ -80,24 +85,24 @@ std::string texture_name(const Writer& writer, std::uint32_t material, int expon
 
 void declare_textures(Writer& writer) {
     const Scene& scene = writer.scene;
-    std::map<std::pair<std::uint32_t, int>, const Object*> shown_by;  // the first that does
+    std::map<TextureKey, std::pair<const Object*, PowerOfTen>> shown_by;  // the first that does
     for (const Object& object : scene.objects) {
         if (depends_on_shape(scene, scene.materials[object.material])) continue;
         const ObjectSpace space = object_space(scene.transforms[object.transform], writer.window);
-        shown_by.emplace(texture_key(scene, object, space.own), &object);
+        shown_by.emplace(texture_key(writer, object, space.own), std::pair{&object, space.own});
     }
-    for (const auto& [key, object] : shown_by) {
-        const auto& [material, exponent] = key;
-        const std::string name = texture_name(writer, material, exponent);
+    for (const auto& [key, shower] : shown_by) {
+        const auto& [object, own] = shower;
+        const std::string name = texture_name(writer, key);
         writer.text.open("#declare " + name + " = texture {");
-        write_own_texture(writer, scene.materials[material], *object, {exponent});
+        write_own_texture(writer, scene.materials[object->material], *object, own);
         writer.text.close();
         writer.texture_names.emplace(key, name);
     }
 }
 
 void write_texture(Writer& writer, const Object& object, PowerOfTen own) {
-    const auto declared = writer.texture_names.find(texture_key(writer.scene, object, own));
+    const auto declared = writer.texture_names.find(texture_key(writer, object, own));
     if (declared != writer.texture_names.end()) {
         writer.text.line("texture { " + declared->second + " }");
         return;
@@ -110,8 +115,7 @@ void write_texture(Writer& writer, const Object& object, PowerOfTen own) {
 void write_interior(Writer& writer, const Material& material, bool body) {
     if (!lets_light_pass(writer.scene, material)) {
         // Nothing gets in: the index serves the mirror alone.
-        if (material.fresnel && material.ior != 1)
-            writer.text.line("interior { ior " + number(material.ior) + " }");
+        if (material.fresnel) writer.text.line("interior { ior " + number(material.ior) + " }");
         return;
     }
     const double most = max_component(material.absorption);
@@ -122,9 +126,9 @@ void write_interior(Writer& writer, const Material& material, bool body) {
     // Beer-Lambert: exp(-(1 - fade_color) s / fade_distance) per channel, for fade_power >= 1000.
     const Color fade_color = Color(1.0) - material.absorption / most;
     writer.text.open("interior {  // absorption " + vector(material.absorption) + " per unit");
-    writer.text.line(fmt::format("ior {} fade_power 1001 fade_distance {} fade_color {}",
-                                 number(material.ior), number(writer.window(1 / most)),
-                                 rgb(fade_color)));
+    writer.text.line(fmt::format("ior {} fade_power {} fade_distance {} fade_color {}",
+                                 number(material.ior), beer_lambert,
+                                 number(writer.window(1 / most)), rgb(fade_color)));
     writer.text.close();
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/bodies.h"
+#include "reference/pov/choices.h"
 #include "reference/pov/materials.h"
 #include "reference/pov/shapes.h"
 
@@ -29,8 +30,7 @@ std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
 /// A mesh2 in the making: lists of lines, each with its count.
 struct Mesh2 {
     std::vector<std::string> vertices, normals, uvs, faces, normal_indices, uv_indices;
-    Vec3d shift{0, 0, 0};  ///< to be added to the vertices
-    bool closed = false;   ///< has an inside
+    Affine<double> place;  ///< to be applied to the vertices
 
     static std::string corners(const Mesh::Corners& c) {
         return fmt::format("<{},{},{}>", c[0], c[1], c[2]);
@@ -38,16 +38,10 @@ struct Mesh2 {
     static void list(Text& text, const std::string& word, const std::vector<std::string>& items) {
         if (items.empty()) return;
         text.open(fmt::format("{} {{ {},", word, items.size()));
-        // A handful to a line: short lines for people, few lines for large meshes.
-        for (std::size_t i = 0; i < items.size(); i += 4) {
-            std::string line;
-            for (std::size_t j = i; j < std::min(i + 4, items.size()); ++j)
-                line += (j > i ? " " : "") + items[j] + (j + 1 < items.size() ? "," : "");
-            text.line(line);
-        }
+        text.list(items);
         text.close();
     }
-    void write(Text& text) const {
+    void write(Text& text, bool closed) const {
         list(text, "vertex_vectors", vertices);
         list(text, "normal_vectors", normals);
         list(text, "uv_vectors", uvs);
@@ -55,8 +49,9 @@ struct Mesh2 {
         list(text, "uv_indices", uv_indices);
         list(text, "normal_indices", normal_indices);
         // Lets POV-Ray tell whether the camera is inside. It must stand before any transform.
-        if (closed) text.line("inside_vector <0.36, 0.48, 0.8>");
-        if (shift != Vec3d(0.0)) text.line("translate " + vector(shift));
+        if (closed) text.line(fmt::format("inside_vector {}", way_out));
+        const std::string moved = transform(place);
+        if (!moved.empty()) text.line(moved);
     }
 };
 
@@ -66,8 +61,11 @@ void add_normals(Mesh2& out, const Mesh& mesh) {
     const std::vector<Mesh::Corners>& indices =
         mesh.normals.empty() || mesh.normal_faces.empty() ? mesh.faces : mesh.normal_faces;
     const auto has_length = [](const Vec3d& n) { return length(n) > 0; };
-    for (const Vec3d& n : normals)
-        out.normals.push_back(mesh_vector(has_length(n) ? normalize(n) : Vec3d(0, 1, 0)));
+    // One that no face has may be nought, which POV-Ray takes for some direction.
+    const auto add = [&](const Vec3d& n) {
+        out.normals.push_back(mesh_vector(has_length(n) ? normalize(n) : n));
+    };
+    for (const Vec3d& n : normals) add(n);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         Mesh::Corners corners = indices[f];
         const bool complete = std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) {
@@ -75,8 +73,7 @@ void add_normals(Mesh2& out, const Mesh& mesh) {
         });
         if (!complete) {
             corners.fill(static_cast<std::uint32_t>(out.normals.size()));
-            const Vec3d n = face_normal(mesh, mesh.faces[f]);
-            out.normals.push_back(mesh_vector(has_length(n) ? normalize(n) : Vec3d(0, 1, 0)));
+            add(face_normal(mesh, mesh.faces[f]));
         }
         out.normal_indices.push_back(Mesh2::corners(corners));
     }
@@ -84,15 +81,8 @@ void add_normals(Mesh2& out, const Mesh& mesh) {
 
 void add_uvs(Mesh2& out, const Mesh& mesh) {
     for (const Vec2d& uv : mesh.uvs) out.uvs.push_back(mesh_vector(uv));
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        Mesh::Corners corners = mesh.uv_faces.empty() ? mesh.faces[f] : mesh.uv_faces[f];
-        for (std::uint32_t& corner : corners)
-            if (corner == none) {  // no place in the image: its corner
-                corner = static_cast<std::uint32_t>(out.uvs.size());
-                out.uvs.push_back("<0,0>");
-            }
-        out.uv_indices.push_back(Mesh2::corners(corners));
-    }
+    for (const Mesh::Corners& face : mesh.uv_faces.empty() ? mesh.faces : mesh.uv_faces)
+        out.uv_indices.push_back(Mesh2::corners(face));
 }
 
 /// Where a mesh stands, in steps of about its size, so that subtracting it loses nothing: single
@@ -100,43 +90,46 @@ void add_uvs(Mesh2& out, const Mesh& mesh) {
 Vec3d coarse_place(const Mesh& mesh, PowerOfTen own) {
     Bounds bounds;
     for (const Vec3d& p : mesh.vertices) bounds.add(own.plainly(p));
-    const double size = bounds.diagonal();
-    if (!(size > 0)) return Vec3d(0.0);
-    const double step = std::ldexp(1.0, std::ilogb(size) + 1);
-    const Vec3d steps = (bounds.low + bounds.high) / (2 * step);
+    const double step = step_for(bounds.diagonal());
+    const Vec3d steps = bounds.center() / step;
     return Vec3d(std::round(steps.x), std::round(steps.y), std::round(steps.z)) * step;
 }
 
 Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
     Mesh2 out;
-    out.shift = coarse_place(mesh, own);
+    out.place.shift = coarse_place(mesh, own);
     for (const Vec3d& p : mesh.vertices)
-        out.vertices.push_back(mesh_vector(own.plainly(p) - out.shift));
+        out.vertices.push_back(mesh_vector(own.plainly(p) - out.place.shift));
     for (const Mesh::Corners& face : mesh.faces) out.faces.push_back(Mesh2::corners(face));
     if (smooth) add_normals(out, mesh);
-    if (!mesh.uvs.empty()) add_uvs(out, mesh);
+    if (is_mapped(mesh)) add_uvs(out, mesh);
     return out;
 }
 
-std::pair<std::uint32_t, int> mesh_key(const MeshRef& shape, bool smooth, PowerOfTen own) {
-    return {shape.mesh, own.exponent * 2 + (smooth ? 1 : 0)};
+MeshKey mesh_key(const MeshRef& shape, bool smooth, PowerOfTen own) {
+    return {shape.mesh, own.exponent, smooth};
 }
 
 }  // namespace
+
+bool is_mapped(const Mesh& mesh) {
+    const auto lacks_uv = [](const Mesh::Corners& corners) {
+        return std::find(corners.begin(), corners.end(), none) != corners.end();
+    };
+    return !mesh.uvs.empty() && std::none_of(mesh.uv_faces.begin(), mesh.uv_faces.end(), lacks_uv);
+}
 
 void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     const auto* shape = std::get_if<MeshRef>(&object.shape);
     if (!shape) return;
     const Mesh& mesh = *writer.scene.meshes[shape->mesh];
     const bool smooth = shape->smooth && writer.scene.settings.smooth;
-    const std::pair key = mesh_key(*shape, smooth, own);
+    const MeshKey key = mesh_key(*shape, smooth, own);
     if (mesh.faces.empty() || writer.mesh_names.contains(key)) return;
     const std::string name = fmt::format("Mesh{}", writer.mesh_names.size());
     writer.text.open(fmt::format("#declare {} = mesh2 {{  // {} vertices, {} faces", name,
                                  mesh.vertices.size(), mesh.faces.size()));
-    Mesh2 mesh2 = convert(mesh, smooth, own);
-    mesh2.closed = is_closed(mesh);
-    mesh2.write(writer.text);
+    convert(mesh, smooth, own).write(writer.text, is_closed(mesh));
     writer.text.close();
     writer.mesh_names.emplace(key, name);
 }
@@ -171,7 +164,7 @@ bool open_triangle(Writer& writer, const Object& object, const Triangle& shape, 
     if (smooth) mesh.normals.assign(attributes->normals->begin(), attributes->normals->end());
     if (mapped) mesh.uvs.assign(attributes->uvs->begin(), attributes->uvs->end());
     writer.text.open("mesh2 {");
-    convert(mesh, smooth, own).write(writer.text);
+    convert(mesh, smooth, own).write(writer.text, is_closed(mesh));
     return true;
 }
 

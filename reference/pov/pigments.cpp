@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/plain_color.h"
+#include "reference/pov/choices.h"
 #include "reference/pov/images.h"
 #include "reference/pov/materials.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 /// Opaque colours in three numbers, others in POV-Ray's five: filter, then transmit.
 std::string pigment_color(const Color& color, const Material& material) {
-    if (material.filter == 0 && material.transmission == 0) return rgb(color);
+    if (!(material.filter + material.transmission > 0)) return rgb(color);
     return fmt::format("rgbft <{}, {}, {}, {}, {}>", number(color.x), number(color.y),
                        number(color.z), number(material.filter), number(material.transmission));
 }
@@ -32,10 +33,8 @@ struct PatternWriter {
     }
 
     void operator()(const Gradient& gradient) const {
-        if (gradient.stops.size() > 256) {
+        if (gradient.stops.size() > 256)
             writer.refuse(object.place, "POV-Ray's colour maps hold at most 256 stops");
-            return;
-        }
         writer.text.open("pigment {");
         const Vec3d axis = normalize(gradient.axis);
         writer.text.line("gradient " + vector(axis));
@@ -47,7 +46,7 @@ struct PatternWriter {
         // POV-Ray repeats with a period of 1.00001 where the coordinate is negative, so the pattern
         // is moved by a million whole periods. A billionth more decides for a face that lies
         // exactly on a step, where rounding would speckle.
-        writer.text.line("translate " + vector(axis * -1000000.000000001) +
+        writer.text.line("translate " + vector(-axis * periods) +
                          "  // whole periods: keeps coordinates positive");
         end();
     }

@@ -17,6 +17,9 @@ bool open_patch(Writer& writer, const Object& object, const Patch& patch, PowerO
 bool open_lathe(Writer& writer, const Lathe& lathe, PowerOfTen own);
 bool open_prism(Writer& writer, const Prism& prism, PowerOfTen own);
 
+/// Whether the mesh says for each corner of each face where in an image it lies.
+bool is_mapped(const Mesh& mesh);
+
 /// Meshes are declared once for all objects that show them, before the first of these.
 void declare_mesh(Writer& writer, const Object& object, PowerOfTen own);
 

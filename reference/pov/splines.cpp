@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reference/pov/choices.h"
 #include "reference/pov/shapes.h"
 
 namespace lancer::reference::pov {
@@ -65,15 +66,11 @@ std::vector<Segment> cut_for_lathe(std::vector<Segment> curve) {
     return curve;
 }
 
-void write_points(Text& text, const std::string& head, const std::vector<Vec2d>& points,
-                  std::size_t per_line) {
+void write_points(Text& text, const std::string& head, const std::vector<Vec2d>& points) {
     text.open(head);
-    for (std::size_t i = 0; i < points.size(); i += per_line) {
-        std::string line;
-        for (std::size_t j = i; j < std::min(i + per_line, points.size()); ++j)
-            line += (j > i ? " " : "") + vector(points[j]) + (j + 1 < points.size() ? "," : "");
-        text.line(line);
-    }
+    std::vector<std::string> items;
+    for (const Vec2d& p : points) items.push_back(vector(p));
+    text.list(items);
 }
 
 std::vector<Vec2d> flattened(const std::vector<Segment>& curve, PowerOfTen own) {
@@ -104,7 +101,7 @@ bool open_lathe(Writer& writer, const Lathe& lathe, PowerOfTen own) {
             points = flattened(cut_for_lathe(segments(lathe.spline, p.size() - 3, point)), own);
             break;
     }
-    write_points(writer.text, fmt::format("lathe {{ {} {},", spline, points.size()), points, 4);
+    write_points(writer.text, fmt::format("lathe {{ {} {},", spline, points.size()), points);
     return true;
 }
 
@@ -123,7 +120,7 @@ bool open_prism(Writer& writer, const Prism& prism, PowerOfTen own) {
     write_points(writer.text,
                  fmt::format("prism {{ {} {}, {}, {},", linear ? "linear_spline" : "bezier_spline",
                              number(own(prism.bottom)), number(own(prism.top)), points.size()),
-                 points, 4);
+                 points);
     if (!prism.capped) writer.text.line("open");
     return true;
 }
@@ -147,44 +144,17 @@ Net bezier_net(const Patch& patch, std::size_t row, std::size_t column, PowerOfT
     return net;
 }
 
-/// Bounds the distance of the surface from the two triangles over its corners: an eighth of the
-/// second derivatives |uu| + 2|uv| + |vv| (Filip, Magedson, Markot 1986), these being 6, 9 and 6
-/// times the largest difference of the control points.
-double bending(const Net& net) {
-    double most = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j) {
-            if (j < 2)
-                most = std::max(most, length(net[i][j] - 2.0 * net[i][j + 1] + net[i][j + 2]));
-            if (i < 2)
-                most = std::max(most, length(net[i][j] - 2.0 * net[i + 1][j] + net[i + 2][j]));
-            if (i < 3 && j < 3)
-                most = std::max(
-                    most, length(net[i][j] - net[i][j + 1] - net[i + 1][j] + net[i + 1][j + 1]));
-        }
-    return most * (6 + 18 + 6) / 8;
-}
-
-double extent(const Net& net) {
-    Bounds bounds;
-    for (const auto& row : net)
-        for (const Vec3d& p : row) bounds.add(p);
-    return bounds.diagonal();
-}
-
-/// Halvings until triangles are within 1e-6 of the patch's size, by the bound of Filip, Magedson
-/// and Markot (1986), as far as the triangles of all patches fit into about 250 MB of POV-Ray's
+/// How often POV-Ray halves each patch: as often as the triangles of all of them fit into its
 /// memory.
-int halvings(const Scene& scene, double bend, double size) {
+int halvings(const Scene& scene) {
     std::size_t patches = 0;
     for (const Object& object : scene.objects)
         if (const auto* shape = std::get_if<PatchRef>(&object.shape)) {
             const Patch& p = scene.patches[shape->patch];
             patches += std::size_t{p.rows - 3} * (p.columns - 3);
         }
-    int steps = 3;
-    for (double error = bend / 64; error > 1e-6 * size && steps < 9; error /= 4) ++steps;
-    while (steps > 3 && (patches << (2 * steps)) > (std::size_t(1) << 20)) --steps;
+    int steps = most_halvings;
+    while (steps > least_halvings && (patches << (2 * steps)) > most_pairs) --steps;
     return steps;
 }
 
@@ -201,29 +171,20 @@ std::string uv_corners(const Patch& patch, std::size_t row, std::size_t column) 
 void open_bezier(Text& text, const Net& net, int steps, const std::string& uvs) {
     text.open(fmt::format("bicubic_patch {{ type 1 flatness 0 u_steps {0} v_steps {0}", steps));
     text.line(uvs);
-    for (std::size_t i = 0; i < 4; ++i) {
-        std::string line;
-        for (std::size_t j = 0; j < 4; ++j)
-            line += vector(net[i][j]) + (i == 3 && j == 3 ? "" : ", ");
-        text.line(line);
-    }
+    std::vector<std::string> items;
+    for (const auto& row : net)
+        for (const Vec3d& p : row) items.push_back(vector(p));
+    text.list(items);
 }
 
 }  // namespace
 
 bool open_patch(Writer& writer, const Object& object, const Patch& patch, PowerOfTen own) {
     std::vector<Net> nets;
-    double bend = 0;
-    double size = 0;
     const std::size_t across = patch.columns - 3;
     for (std::size_t i = 0; i + 3 < patch.rows; ++i)
-        for (std::size_t j = 0; j < across; ++j) {
-            nets.push_back(bezier_net(patch, i, j, own));
-            bend = std::max(bend, bending(nets.back()));
-            size = std::max(size, extent(nets.back()));
-        }
-    // The same for all patches of a net, or their common edges would gape.
-    const int steps = halvings(writer.scene, bend, size);
+        for (std::size_t j = 0; j < across; ++j) nets.push_back(bezier_net(patch, i, j, own));
+    const int steps = halvings(writer.scene);
     writer.result.rules.patch_halvings[std::get<PatchRef>(object.shape).patch] = steps;
     writer.approximate(
         object.place,

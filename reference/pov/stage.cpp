@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/pov/choices.h"
 #include "reference/pov/writer.h"
 
 namespace lancer::reference::pov {
@@ -14,8 +15,8 @@ std::string samples_note(const Writer& writer) {
     const int n = writer.scene.settings.samples;
     if (n <= 1) return "";
     return fmt::format(
-        "The scene asks for {0} x {0} rays per pixel: render {1} x {2} and average blocks of {0} x "
-        "{0}.",
+        "// The scene asks for {0} x {0} rays per pixel: render {1} x {2} and average blocks of "
+        "{0} x {0}.",
         n, n * writer.view.width, n * writer.view.height);
 }
 
@@ -28,7 +29,7 @@ void write_header(Writer& writer) {
         "// povray +I{}.pov +W{} +H{} +FN16 File_Gamma=1.0 -D -A   (16 bit, linear light)",
         comment(writer.options.name), writer.view.width, writer.view.height));
     const std::string samples = samples_note(writer);
-    if (!samples.empty()) text.line("// " + samples);
+    if (!samples.empty()) text.line(samples);
     text.line(writer.window.exponent == 0
                   ? "// Lengths are those of the scene."
                   : "// Lengths are those of the scene times " + number(writer.window.factor()) +
@@ -102,8 +103,8 @@ struct LightWriter {
     void operator()(const DirectionalLight& light) const {
         // What lies behind the plane of a parallel light is lit without shadow, so it stands as far
         // out as POV-Ray sees: half of its limit of 1e7.
-        writer.text.line(vector(normalize(light.direction) * -5e6) + ", " + color);
-        writer.text.line("parallel point_at <0, 0, 0>");
+        writer.text.line(vector(-normalize(light.direction) * far_away) + ", " + color);
+        writer.text.line("parallel point_at " + vector(Vec3d{}));
     }
     std::string color;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <span>
 
 namespace lancer::reference::pov {
 
@@ -58,9 +59,9 @@ std::string comment(std::string_view text) {
     return out;
 }
 
-std::string identifier(std::string_view text, std::size_t longest) {
+std::string identifier(std::string_view text) {
     std::string out;
-    for (const char c : text.substr(0, longest)) {
+    for (const char c : text) {
         const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
         out += letter || (c >= '0' && c <= '9') ? c : '_';
     }
@@ -68,16 +69,17 @@ std::string identifier(std::string_view text, std::size_t longest) {
 }
 
 double PowerOfTen::operator()(double length) const {
-    if (exponent == 0 || length == 0 || !std::isfinite(length)) return length;
+    if (!std::isfinite(length)) return length;
     // Shortest digits in scientific form, "1.2e-03", read back with another exponent.
     std::array<char, 40> text{};
     char* const end =
-        std::to_chars(text.data(), text.data() + 32, length, std::chars_format::scientific).ptr;
+        std::to_chars(text.data(), text.data() + text.size(), length, std::chars_format::scientific)
+            .ptr;
     char* const power = std::find(text.data(), end, 'e') + 1;
-    int decades = 0;
+    int decades{};
     std::from_chars(*power == '+' ? power + 1 : power, end, decades);
     char* const new_end = std::to_chars(power, text.data() + text.size(), decades + exponent).ptr;
-    double moved = 0;
+    double moved{};
     const auto read = std::from_chars(text.data(), new_end, moved);
     // Out of range: an infinity or a zero, as the product would be.
     return read.ec == std::errc{} ? moved : length * elementary::pow(10.0, double(exponent));
@@ -87,6 +89,15 @@ Vec3d PowerOfTen::plainly(const Vec3d& v) const {
     // Divided rather than multiplied by a fraction: powers up to 10^22 are exact.
     const double power = PowerOfTen{std::abs(exponent)}.factor();
     return exponent < 0 ? v / power : v * power;
+}
+
+void Text::list(const std::vector<std::string>& items) {
+    constexpr std::size_t per_line = 4;
+    for (std::span rest(items); !rest.empty();) {
+        const auto row = rest.first(std::min(per_line, rest.size()));
+        rest = rest.subspan(row.size());
+        line(fmt::format("{}{}", fmt::join(row, ", "), rest.empty() ? "" : ","));
+    }
 }
 
 void Text::line(std::string_view text) {

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/affine.h"
 #include "model/math.h"
@@ -29,12 +30,12 @@ std::string transform(const Affine<double>& map);
 /// Text that may stand in a `//` comment: one line, no control characters.
 std::string comment(std::string_view text);
 
-/// `text` with everything but letters, digits and `_` replaced by `_`, at most `longest` bytes.
-std::string identifier(std::string_view text, std::size_t longest = 24);
+/// `text` with everything but letters and digits replaced by `_`.
+std::string identifier(std::string_view text);
 
 /// Lengths in powers of ten, so that decimal numbers of a script stay short ones in the export.
 struct PowerOfTen {
-    int exponent = 0;
+    int exponent;
     /// The shortest decimal of the length with its point moved, so that 0.0012 becomes 120 and not
     /// 119.99999999999999.
     double operator()(double length) const;
@@ -55,6 +56,9 @@ class Text {
         line(text);
         ++depth_;
     }
+    /// The items with commas between them, some to a line: short lines for people, few for large
+    /// meshes.
+    void list(const std::vector<std::string>& items);
     void close(std::string_view text = "}") {
         --depth_;
         line(text);

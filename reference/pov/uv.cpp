@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "reference/pov/choices.h"
 #include "reference/pov/pigments.h"
+#include "reference/pov/shapes.h"
 
 namespace lancer::reference::pov {
 
@@ -15,11 +17,19 @@ Affine<double> map_of(const Vec3d& u, const Vec3d& v, const Vec3d& w, const Vec3
     return {{Vec3d(u.x, v.x, w.x), Vec3d(u.y, v.y, w.y), Vec3d(u.z, v.z, w.z)}, shift};
 }
 
+/// What a texture's transforms do to points (u, v, 0): the third coordinate of others, which
+/// POV-Ray has here and there, is not to count.
+Affine<double> within_plane(const Affine<double>& to_object) {
+    Affine<long double> back = inverse(convert<long double>(to_object));
+    back.rows[0].z = back.rows[1].z = 0;
+    return convert<double>(inverse(back));
+}
+
 struct UvWriter {
     Writer& writer;
     const Material& material;
     const ImageTexture& image;
-    const Affine<double>& to_object;  ///< moves the pattern in the plane of u and v
+    const Affine<double> to_object;  ///< moves the pattern in the plane of u and v
     const Object& object;
     PowerOfTen own;
 
@@ -43,13 +53,16 @@ struct UvWriter {
         line(pattern_transform(to_object, own));
         writer.text.close();
     }
-    /// One face of several: `face` takes (u, v, 0) to its place.
-    void entry(double at, const Affine<double>& face) const {
-        writer.text.open("[" + number(at) + " " + picture());
+    /// Face `number` of several, of the eight that a pigment_map here has room for: (0, 0) of the
+    /// image at `corner`, u and v along the two edges. (What is off the face shows nowhere.)
+    void face(int number, const Vec3d& corner, const Vec3d& u, const Vec3d& v) const {
+        open_face(number);
+        line(picture());
         line(transform(to_object));
-        line(transform(face));
+        line(transform(map_of(u, v, cross(u, v), corner)));
         writer.text.close("]");
     }
+    void open_face(int number) const { writer.text.open("[" + pov::number(number / 8.0)); }
 
     void operator()(const Sphere&) const { native(); }
     void operator()(const Plane&) const { planar(); }
@@ -64,10 +77,7 @@ struct UvWriter {
             planar();
             return;
         }
-        const auto lacks_uv = [](const Mesh::Corners& corners) {
-            return std::find(corners.begin(), corners.end(), none) != corners.end();
-        };
-        if (std::any_of(mesh.uv_faces.begin(), mesh.uv_faces.end(), lacks_uv))
+        if (!is_mapped(mesh))
             writer.refuse(object.place, "some faces of this mesh have no uvs",
                           "give all of them uvs, or none");
         native();
@@ -82,25 +92,26 @@ struct UvWriter {
     /// Six faces in a cube from -1 to 1, told apart by their largest coordinate.
     void operator()(const Box& box) const {
         const Vec3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-        const auto face = [](const Vec3d& u, const Vec3d& v, const Vec3d& w) {
-            return map_of(2.0 * u, 2.0 * v, w, w - u - v);
+        const auto side = [this](int number, const Vec3d& u, const Vec3d& v, const Vec3d& outward) {
+            face(number, outward - u - v, 2.0 * u, 2.0 * v);
         };
         writer.text.open("pigment {  // the faces -x, +x, -y, +y, -z, +z: see the function");
         line("function { select(max(abs(y), abs(z)) - abs(x), select(x, 0, 1),");
         line("           select(abs(z) - abs(y), select(y, 2, 3), select(z, 4, 5))) / 8 }");
         writer.text.open("pigment_map {");
-        entry(0.0 / 8, face(z, y, -x));
-        entry(1.0 / 8, face(-z, y, x));
-        entry(2.0 / 8, face(x, z, -y));
-        entry(3.0 / 8, face(x, -z, y));
-        entry(4.0 / 8, face(-x, y, -z));
-        entry(5.0 / 8, face(x, y, z));
+        side(0, z, y, -x);
+        side(1, -z, y, x);
+        side(2, x, z, -y);
+        side(3, x, -z, y);
+        side(4, -x, y, -z);
+        side(5, x, y, z);
         writer.text.close();
         const Vec3d low = own(box.min);
         const Vec3d high = own(box.max);
-        Vec3d half = (high - low) / 2.0;
-        for (double* side : {&half.x, &half.y, &half.z})
-            if (*side == 0) *side = 1;  // a flat box shows nothing of these faces
+        const Vec3d half = (high - low) / 2.0;
+        if (half.x * half.y * half.z == 0)
+            writer.refuse(object.place, "POV-Ray cannot tell the sides of a flat box apart",
+                          "give the box some thickness");
         line(transform(map_of({half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}, (low + high) / 2.0)));
         writer.text.close();
     }
@@ -115,23 +126,27 @@ struct UvWriter {
                bool capped) const {
         const Vec3d axis = own(top) - own(base);
         const Vec3d y = normalize(axis);
-        const Vec3d reference = std::abs(y.x) > 0.9 ? Vec3d(0, 0, 1) : Vec3d(1, 0, 0);
-        const Vec3d x = normalize(reference - dot(reference, y) * y);
+        // The world's x axis made perpendicular to y, or its z axis where x is too near to y.
+        const int aside = std::abs(y.x) > 0.9 ? 2 : 0;
+        Vec3d x = -y[aside] * y;
+        x[aside] += 1;
+        x = normalize(x);
         const Vec3d z = cross(x, y);
-        const auto cap = [this](double radius, double height) {
-            const double r = own(radius > 0 ? radius : 1);
-            return map_of({2 * r, 0, 0}, {0, 0, 2 * r}, {0, 1, 0}, {-r, height, -r});
+        const auto cap = [this](int number, double radius, double height) {
+            const double r = own(radius);
+            if (r > 0) face(number, {-r, height, -r}, {2 * r, 0, 0}, {0, 0, 2 * r});
         };
         writer.text.open("pigment {");
         if (capped) {
             // The caps lie at 0 and 1 but for rounding.
-            line("function { select(y - 1e-9, 0, select(y - (1 - 1e-9), 1, 2)) / 4 }");
+            line(fmt::format("function {{ select(y - {0}, 0, select(y - (1 - {0}), 1, 2)) / 8 }}",
+                             number(cap_margin)));
             writer.text.open("pigment_map {");
-            entry(0.0 / 4, cap(base_radius, 0));
-            writer.text.open("[" + number(1.0 / 4));
+            cap(0, base_radius, 0);
+            open_face(1);
             mantle();
             writer.text.close("]");
-            entry(2.0 / 4, cap(top_radius, 1));
+            cap(2, top_radius, 1);
             writer.text.close();
         } else {
             mantle();
@@ -152,7 +167,8 @@ struct UvWriter {
 
 void write_uv_pigment(Writer& writer, const Material& material, const ImageTexture& image,
                       const Affine<double>& to_object, const Object& object, PowerOfTen own) {
-    std::visit(UvWriter{writer, material, image, to_object, object, own}, object.shape);
+    std::visit(UvWriter{writer, material, image, within_plane(to_object), object, own},
+               object.shape);
 }
 
 }  // namespace lancer::reference::pov

@@ -19,6 +19,7 @@ struct Bounds {
     void add(const Vec3d& p);
     void add(const Bounds& other);
     double diagonal() const { return empty ? 0 : length(high - low); }
+    Vec3d center() const { return (low + high) / 2.0; }
     bool overlaps(const Bounds& other) const;
 };
 

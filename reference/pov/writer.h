@@ -3,12 +3,17 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "reference/pov/export.h"
 #include "reference/pov/text.h"
 
 namespace lancer::reference::pov {
+
+using TextureKey =
+    std::pair<std::uint32_t, int>;  ///< material; size against the scene's, in decades
+using MeshKey = std::tuple<std::uint32_t, int, bool>;  ///< mesh, space, whether smooth
 
 struct Writer {
     const Scene& scene;
@@ -19,9 +24,8 @@ struct Writer {
     Text text;
 
     std::map<std::uint32_t, std::string> image_words;  ///< by index: `png "a.png" gamma srgb`
-    std::map<std::pair<std::uint32_t, int>, std::string> texture_names;  ///< by material and space
-    std::map<std::pair<std::uint32_t, int>, std::string>
-        mesh_names;  ///< by mesh, space and normals
+    std::map<TextureKey, std::string> texture_names;
+    std::map<MeshKey, std::string> mesh_names;
 
     /// Something POV-Ray has no word for, at its place in the script.
     void refuse(const SourceSpan& where, const std::string& message, const std::string& hint = "");

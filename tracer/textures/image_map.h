@@ -12,9 +12,9 @@ namespace lancer {
 /// Colour and opacity (1 - the share that passes) of a texture at a point.
 template <class Real>
 struct TextureColor {
-    Vec3<Real> color{1};
+    Vec3<Real> color;
     bool has_alpha = false;  ///< `alpha` replaces the material's filter and transmission
-    Real alpha = 1;
+    Real alpha{};
 };
 
 template <class Real>
@@ -62,10 +62,10 @@ std::array<Real, 4> bilinear(const ImagePattern<Real>& map, Real x, Real y) {
     std::array<Real, 4> sum{};
     for (std::size_t j = 0; j < 2; ++j) {
         for (std::size_t i = 0; i < 2; ++i) {
-            const Real weight =
+            const Real part =
                 (i == 0 ? 1 - right_share : right_share) * (j == 0 ? 1 - upper_share : upper_share);
             const std::array<Real, 4> value = texel<Real>(image, columns[i], rows[j]);
-            for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * value[c];
+            for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part * value[c];
         }
     }
     return sum;
@@ -90,7 +90,8 @@ TextureColor<Real> color_at(const ImagePattern<Real>& map, const ImagePoint<Real
     } else {
         value = bilinear(map, p.u * width, p.v * height);
     }
-    return {{value[0], value[1], value[2]}, image.channels > 3, value[3]};
+    const auto [red, green, blue, alpha] = value;
+    return {{red, green, blue}, image.channels > 3, alpha};
 }
 
 }  // namespace lancer

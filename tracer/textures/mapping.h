@@ -17,10 +17,11 @@ struct ImagePoint {
 /// atan2(y, x) / 2 pi in [0, 1).
 template <class Real>
 Real turn(Real y, Real x) {
+    using std::floor;
     constexpr Real one_turn = static_cast<Real>(6.283185307179586476925286766559005768L);
     const Real t = elementary::atan2(y, x) / one_turn;
-    const Real positive = t < 0 ? t + 1 : t;
-    return positive < 1 ? positive : Real(0);
+    const Real positive = t - floor(t);
+    return positive - floor(positive);  // t may be so small that its turn is a whole one
 }
 
 template <class Real>
@@ -34,7 +35,7 @@ ImagePoint<Real> cylindrical(const PatternPoint<Real>& p) {
     using std::sqrt;
     const Real from_axis = sqrt(p.at.x * p.at.x + p.at.z * p.at.z);
     const Real aside = p.bound.x + p.bound.z;
-    const Real u_bound = gamma<Real>(4) + (from_axis > 0 ? aside / from_axis : Real(0));
+    const Real u_bound = gamma<Real>(4) + aside / from_axis;  // on the axis u may be anything
     return {turn(p.at.z, p.at.x), p.at.y, u_bound, p.bound.y};
 }
 
@@ -48,8 +49,7 @@ ImagePoint<Real> spherical(const PatternPoint<Real>& p) {
     constexpr Real half_turn = static_cast<Real>(3.141592653589793238462643383279502884L);
     image.v = Real(0.5) + elementary::atan2(p.at.y, from_axis) / half_turn;
     const Real size = length(p.at);
-    image.v_bound =
-        gamma<Real>(4) + (size > 0 ? (p.bound.x + p.bound.y + p.bound.z) / size : Real(0));
+    image.v_bound = gamma<Real>(4) + (p.bound.x + p.bound.y + p.bound.z) / size;
     return image;
 }
 

@@ -43,8 +43,7 @@ Vec3<Real> color_at(const GradientPattern<Real>& gradient, const PatternPoint<Re
     const Real along = dot(gradient.axis, p.at);
     const Vec3<Real> weights = absolute(gradient.axis);
     const Real bound = dot(weights, p.bound) + gamma<Real>(4) * dot(weights, absolute(p.at));
-    Real g = along - whole_part(along, bound);
-    if (!(g > 0)) g = 0;
+    const Real g = std::max(Real(0), along - whole_part(along, bound));
     const auto& stops = gradient.stops;
     const auto above = std::upper_bound(
         stops.begin(), stops.end(), g + bound,
@@ -52,7 +51,7 @@ Vec3<Real> color_at(const GradientPattern<Real>& gradient, const PatternPoint<Re
     if (above == stops.begin()) return stops.front().color;
     if (above == stops.end()) return stops.back().color;
     const auto& low = *(above - 1);
-    const Real share = g > low.at ? (g - low.at) / (above->at - low.at) : Real(0);
+    const Real share = std::max(Real(0), (g - low.at) / (above->at - low.at));
     return (1 - share) * low.color + share * above->color;
 }
 

@@ -39,8 +39,7 @@ PatternPoint<Real> place(const Placement<Real>& placement, const SurfacePoint<Re
     constexpr Real roundings = gamma<Real>(16);
     const Vec3<Real> reach =
         Vec3<Real>(p.error) + roundings * (absolute(p.anchor) + absolute(p.offset));
-    for (int i = 0; i < 3; ++i)
-        point.bound[i] += dot(absolute(m.rows[static_cast<std::size_t>(i)]), reach);
+    point.bound += map_bound(m, reach);
     return point;
 }
 

@@ -52,10 +52,10 @@ struct ChartMaker {
         if (t.attributes == none || !scene.triangle_attributes[t.attributes].uvs)
             return PlanarChart{};
         TriangleChart<Real> chart;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Vec2d& uv = (*scene.triangle_attributes[t.attributes].uvs)[i];
-            chart.uvs[i] = Vec2<Real>(static_cast<Real>(uv.x), static_cast<Real>(uv.y));
-        }
+        const auto& uvs = *scene.triangle_attributes[t.attributes].uvs;
+        std::transform(uvs.begin(), uvs.end(), chart.uvs.begin(), [](const Vec2d& uv) {
+            return Vec2<Real>(static_cast<Real>(uv.x), static_cast<Real>(uv.y));
+        });
         return chart;
     }
     Chart<Real> operator()(const MeshRef& ref) const {
@@ -72,8 +72,11 @@ struct ChartMaker {
         const Vec3d along = top - base;
         const double longest = max_component(absolute(along));
         const Vec3d y = normalize(along / longest);
-        const Vec3d aside = std::abs(y.x) > 0.9 ? Vec3d(0, 0, 1) : Vec3d(1, 0, 0);
-        const Vec3d x = normalize(aside - dot(aside, y) * y);
+        // The world's x axis made perpendicular to y, or its z axis where x is too near to y.
+        const int aside = std::abs(y.x) > 0.9 ? 2 : 0;
+        Vec3d x = -y[aside] * y;
+        x[aside] += 1;
+        x = normalize(x);
         FrustumChart<Real> chart;
         chart.base = convert<Real>(base);
         chart.x = convert<Real>(x);
@@ -90,13 +93,14 @@ struct ChartMaker {
 /// Multiplies by 2^exponent.
 inline Affine<long double> power_of_two(int exponent) {
     Affine<long double> map;
-    for (std::size_t i = 0; i < 3; ++i) map.rows[i] *= std::ldexp(1.0L, exponent);
+    for (Vec3<long double>& row : map.rows) row *= std::ldexp(1.0L, exponent);
     return map;
 }
 
 template <class Real>
 bool finite(const Affine<Real>& m) {
-    return is_finite(m.rows[0]) && is_finite(m.rows[1]) && is_finite(m.rows[2]) &&
+    return std::all_of(m.rows.begin(), m.rows.end(),
+                       [](const auto& row) { return is_finite(row); }) &&
            is_finite(m.shift);
 }
 
@@ -131,22 +135,14 @@ TextureSeat<Real> seat_texture(const Scene& scene, const World<Real>& world, con
 
     // A shape that was baked into the world was rounded there at the size of what its place was
     // summed from.
-    Vec3<long double> baked(0);
-    if (!framed) {
-        const long double extent = extent_of(object.shape, scene);
-        for (int i = 0; i < 3; ++i) {
-            const Vec3<long double> row =
-                absolute(convert<long double>(to_world.rows[static_cast<std::size_t>(i)]));
-            const long double size = (row.x + row.y + row.z) * extent + std::abs(to_world.shift[i]);
-            baked[i] = std::ldexp(size, world.scale_exponent);
-        }
-        if (to_world == Affine<double>{}) baked = Vec3<long double>(0);
+    Vec3<long double> size = absolute(map.shift);
+    if (!framed && !(to_world == Affine<double>{})) {
+        const Affine<long double> wide = convert<long double>(to_world);
+        const Vec3<long double> extent(extent_of(object.shape, scene));
+        const Vec3<long double> baked = map_bound(wide, extent) + absolute(wide.shift);
+        size += map_bound(map, map_vector(power_of_two(world.scale_exponent), baked));
     }
-    for (int i = 0; i < 3; ++i) {
-        const Vec3<long double> row = absolute(map.rows[static_cast<std::size_t>(i)]);
-        seat.placement.bound[i] =
-            static_cast<Real>(gamma<Real>(8) * (dot(row, baked) + std::abs(map.shift[i])));
-    }
+    seat.placement.bound = convert<Real>(static_cast<long double>(gamma<Real>(8)) * size);
     if (!finite(seat.placement.map) || !is_finite(seat.placement.bound))
         throw SceneError(object.place,
                          "this shape's texture leaves the range of the chosen precision");

@@ -76,21 +76,12 @@ ImagePoint<Real> uv_at(const BoxChart<Real>& chart, const ChartPoint<Real>& p) {
     const Vec3<Real> steep = absolute(p.normal);
     const int axis = steep.x >= steep.y && steep.x >= steep.z ? 0 : (steep.y >= steep.z ? 1 : 2);
     const bool at_max = p.normal[axis] > 0;
-    Vec3<Real> q(0);
-    Vec3<Real> bound(0);
-    for (int i = 0; i < 3; ++i) {
-        if (!(chart.size[i] > 0)) continue;
-        q[i] = (p.object.at[i] - chart.min[i]) / chart.size[i];
-        bound[i] = p.object.bound[i] / chart.size[i] + gamma<Real>(4);
-    }
-    switch (axis) {
-        case 0:
-            return {at_max ? 1 - q.z : q.z, q.y, bound.z, bound.y};
-        case 1:
-            return {q.x, at_max ? 1 - q.z : q.z, bound.x, bound.z};
-        default:
-            return {at_max ? q.x : 1 - q.x, q.y, bound.x, bound.y};
-    }
+    // NaN along the axis of a flat box, whose faces across that axis have no points.
+    const Vec3<Real> q = (p.object.at - chart.min) / chart.size;
+    const Vec3<Real> bound = p.object.bound / chart.size + Vec3<Real>(gamma<Real>(4));
+    if (axis == 0) return {at_max ? 1 - q.z : q.z, q.y, bound.z, bound.y};
+    if (axis == 1) return {q.x, at_max ? 1 - q.z : q.z, bound.x, bound.z};
+    return {at_max ? q.x : 1 - q.x, q.y, bound.x, bound.y};
 }
 
 /// Mantle: u round the axis, v from base to top. Caps: planar, the disc in the middle of [0, 1]².
@@ -99,15 +90,14 @@ ImagePoint<Real> uv_at(const FrustumChart<Real>& chart, const ChartPoint<Real>& 
     const Vec3<Real> rel = p.object.at - chart.base;
     const Real spread = p.object.bound.x + p.object.bound.y + p.object.bound.z;
     const Vec3<Real> own(dot(chart.x, rel), dot(chart.y, rel), dot(chart.z, rel));
-    if (p.face == frustum_face::mantle) {
+    const bool base = (p.face == frustum_face::small_cap) == chart.base_is_small;
+    const Real across = 2 * (base ? chart.base_radius : chart.top_radius);
+    if (p.face == frustum_face::mantle || !(across > 0)) {
         const Vec3<Real> unit_high(own.x, own.y / chart.height, own.z);
         return cylindrical(PatternPoint<Real>{
             unit_high, Vec3<Real>(spread, spread / chart.height + gamma<Real>(4), spread)});
     }
-    const bool base = (p.face == frustum_face::small_cap) == chart.base_is_small;
-    const Real across = 2 * (base ? chart.base_radius : chart.top_radius);
-    const Real bound = across > 0 ? spread / across + gamma<Real>(4) : Real(0);
-    if (!(across > 0)) return {Real(0.5), Real(0.5), bound, bound};
+    const Real bound = spread / across + gamma<Real>(4);
     return {Real(0.5) + own.x / across, Real(0.5) + own.z / across, bound, bound};
 }
 
@@ -116,13 +106,10 @@ template <class Real>
 ImagePoint<Real> between(const std::array<Vec2<Real>, 3>& uvs, const Vec2<Real>& weights) {
     using std::abs;
     const Real first = 1 - weights.x - weights.y;
-    const auto mix = [&](int i) {
-        return first * uvs[0][i] + weights.x * uvs[1][i] + weights.y * uvs[2][i];
-    };
-    const auto bound = [&](int i) {
-        return gamma<Real>(8) * (abs(uvs[0][i]) + abs(uvs[1][i]) + abs(uvs[2][i]));
-    };
-    return {mix(0), mix(1), bound(0), bound(1)};
+    const Vec2<Real> at = first * uvs[0] + weights.x * uvs[1] + weights.y * uvs[2];
+    Vec2<Real> bound{};
+    for (const Vec2<Real>& uv : uvs) bound += gamma<Real>(8) * Vec2<Real>(abs(uv.x), abs(uv.y));
+    return {at.x, at.y, bound.x, bound.y};
 }
 
 template <class Real>
@@ -137,7 +124,7 @@ ImagePoint<Real> uv_at(const MeshChart& chart, const ChartPoint<Real>& p) {
     const Mesh::Corners& corners =
         mesh.uv_faces.empty() ? mesh.faces[p.face] : mesh.uv_faces[p.face];
     std::array<Vec2<Real>, 3> uvs;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < uvs.size(); ++i) {
         if (corners[i] == none) return planar(p.object);
         const Vec2d& uv = mesh.uvs[corners[i]];
         uvs[i] = Vec2<Real>(static_cast<Real>(uv.x), static_cast<Real>(uv.y));

@@ -288,6 +288,11 @@ TEST(Export, RefusesWhatPovRayHasNoWordForAtItsPlace) {
     EXPECT_THAT(refusal(scene).message, HasSubstr("no uv mapping for prisms"));
 
     scene = empty_scene();
+    add_object(scene, Box{{-1, -1, 0}, {1, 1, 0}},
+               add_texture(scene, {ImageTexture{add_image(scene), ImageTexture::Mapping::uv}, {}}));
+    EXPECT_THAT(refusal(scene).message, HasSubstr("sides of a flat box"));
+
+    scene = empty_scene();
     Gradient gradient;
     for (int i = 0; i <= 256; ++i) gradient.stops.push_back({i / 256.0, {}});
     add_object(scene, Sphere{}, add_texture(scene, {gradient, {}}));
@@ -299,6 +304,20 @@ TEST(Export, RefusesWhatPovRayHasNoWordForAtItsPlace) {
     scene.images.push_back({"bright.exr", false, std::make_shared<Image>(image)});
     add_object(scene, Sphere{}, add_texture(scene, {ImageTexture{0}, {}}));
     EXPECT_THAT(refusal(scene).message, HasSubstr("'bright.exr' holds values outside 0 to 1"));
+}
+
+TEST(Export, DeclaresAPatternAnewForEachSizeThatShowsIt) {
+    Scene scene = empty_scene();
+    const std::uint32_t tiled = add_texture(scene, {Checker{}, {}});
+    Affine<double> hundredth;
+    for (Vec3d& row : hundredth.rows) row *= 0.01;
+    add_object(scene, Sphere{}, tiled);
+    add_object(scene, Sphere{{0, 0, 0}, 100}, tiled).transform = add_transform(scene, hundredth);
+    const std::string text = text_of(scene);
+    EXPECT_THAT(text, HasSubstr("#declare T1_plain = texture {"));
+    EXPECT_THAT(text, HasSubstr("#declare T1_plain_m2 = texture {"));
+    EXPECT_EQ(text.find("texture { T1_plain }"), text.rfind("texture { T1_plain }"));
+    EXPECT_THAT(text, HasSubstr("texture { T1_plain_m2 }"));
 }
 
 TEST(Export, LeavesOutTexturesThatAreSwitchedOff) {
