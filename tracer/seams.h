@@ -48,13 +48,23 @@ void drop_glued(const World<Real>& world, Contact<Real>& contact) {
     }
 }
 
-/// Leaves out of an ordered contact what is no surface of its own, which may be all of it.
+/// Leaves out of an ordered contact what is no surface of its own, which may be all of it, for
+/// light that passes it straight.
+template <class Real>
+void drop_seams(const World<Real>& world, Contact<Real>& contact) {
+    drop_second_faces(world, contact);
+    drop_glued(world, contact);
+}
+
+/// The same for light that a step of the index may bend.
 ///
-/// \param ratio  of the indices before and after it
+/// \param ratio  of the indices before and after
 template <class Real>
 void drop_seams(const World<Real>& world, Contact<Real>& contact, Real ratio) {
-    drop_second_faces(world, contact);
-    if (ratio == 1) drop_glued(world, contact);
+    if (ratio == 1)
+        drop_seams(world, contact);
+    else
+        drop_second_faces(world, contact);
 }
 
 }  // namespace lancer

@@ -67,7 +67,7 @@ Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real di
         start.t = nearest.t;
         start.fresh = false;
         media = crossed(world, media, contact);
-        drop_seams(world, contact, Real(1));
+        drop_seams(world, contact);
         for (const Hit<Real>& hit : contact) light = light * make_surface(world, ray, hit).passing;
         if (!(max_component(light) > 0)) return Vec3<Real>(0);
     }

@@ -117,10 +117,7 @@ class Whitted {
                 opaque == nullptr || s.primitive->object < opaque->primitive->object;
             if (!(max_component(s.passing) > 0) && earlier) opaque = &s;
         }
-        if (opaque != nullptr) {
-            const Surface<Real> only = *opaque;
-            surfaces.assign(1, only);
-        }
+        if (opaque != nullptr) return {*opaque};
         return surfaces;
     }
 
