@@ -215,7 +215,7 @@ TEST(SplineSolids, NoJointOfAnyKindOfCurveLeaksAtAnyZoom) {
         for (double zoom = 1; zoom > 1e-13; zoom /= 1e3) {
             const PlaneCurve profile = profile_curve(spline, goblet);
             for (std::size_t i = 1; i < profile.segments(); ++i) {
-                const Vec2d p = profile.points[i * profile.degree];
+                const Vec2d p = profile.points[i * static_cast<std::size_t>(profile.degree)];
                 EXPECT_EQ(leaks(lathe, map_point(map, Vec3d(p.x, p.y, 0)),
                                 map_point(map, Vec3d(0, 0, 0)), 0.02 * zoom),
                           0)
@@ -224,7 +224,7 @@ TEST(SplineSolids, NoJointOfAnyKindOfCurveLeaksAtAnyZoom) {
             }
             const PlaneCurve around = outline_curve(spline, outline);
             for (std::size_t i = 0; i < around.segments(); ++i) {
-                const Vec2d p = around.points[i * around.degree];
+                const Vec2d p = around.points[i * static_cast<std::size_t>(around.degree)];
                 // Beside the joint and, from above, where it meets the cap.
                 for (const double y : {0.1, 0.5}) {
                     EXPECT_EQ(leaks(prism, map_point(map, Vec3d(p.x, y, p.y)),
