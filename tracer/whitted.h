@@ -117,7 +117,10 @@ class Whitted {
                 opaque == nullptr || s.primitive->object < opaque->primitive->object;
             if (!(max_component(s.passing) > 0) && earlier) opaque = &s;
         }
-        if (opaque != nullptr) return {*opaque};
+        if (opaque != nullptr) {
+            const Surface<Real> only = *opaque;
+            surfaces.assign(1, only);
+        }
         return surfaces;
     }
 
