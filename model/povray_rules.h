@@ -13,6 +13,9 @@ struct PovRayRules {
     /// Of the patches, in the order of Scene::patches: each Bezier patch is drawn as 2^h x 2^h x 2
     /// triangles.
     std::vector<int> patch_halvings;
+    /// False: the judge's recursion does as Lancer does, and what it brings is our picture, or ours
+    /// is wrong.
+    bool followed = true;
 };
 
 }  // namespace lancer

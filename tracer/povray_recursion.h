@@ -1,8 +1,9 @@
-// The recursion by POV-Ray 3.7's rules, for the judge of pictures: docs/export.md, "Known
-// differences". Crossings, surfaces and the terms of shading are those of our own recursion
-// (whitted.h); which hits count, what a ray is taken to be in, what dims it and which branches are
-// followed is POV-Ray's, as found by experiment (tests/reference/pov/rules_reference_test.cpp) and
-// in its published source.
+// A second recursion, for the judge of pictures. It goes by POV-Ray 3.7's rules or, without them, by
+// our own: docs/export.md, "Known differences". Crossings, surfaces and the terms of shading are
+// those of whitted.h; which hits count, what a ray is taken to be in, what dims it and which
+// branches are followed is said here once more, and more simply: a ray starts a small way off the
+// surface that it leaves, and of what lies in one place it meets one surface. What POV-Ray does was
+// found by experiment (tests/reference/pov/rules_reference_test.cpp) and in its published source.
 #pragma once
 
 #include <optional>
@@ -12,21 +13,33 @@
 
 namespace lancer {
 
-/// What POV-Ray carries with a ray.
+/// What is carried with a ray.
 template <class Real>
 struct PovRayAround {
-    /// What the ray was seen to pass and not yet to pass again: bodies, and sheets too, in that
-    /// order. The sides of surfaces take no part in it.
+    /// What the ray was seen to pass and not yet to pass again, whatever the sides of surfaces: by
+    /// POV-Ray's rules bodies and sheets, without them the bodies that bend it.
     MediaList passed;
-    Real unit = 1;  ///< POV-Ray's unit of length in the world's
+    /// Without the rules: the bodies that it is in by the sides of surfaces, which absorb.
+    MediaList inside;
+    Real unit = 1;        ///< POV-Ray's unit of length in the world's
+    bool by_rules = true; ///< else as Lancer has it
 
-    Real nearest_hit() const { return Real(1e-4L) * unit; }
-    Real nearest_shadow() const { return Real(1e-3L) * unit; }
-    Real farthest_hit() const { return Real(1e7L) * unit; }
+    Real nearest_hit(const Ray<Real>& ray) const {
+        return by_rules ? Real(1e-4L) * unit : off_the_surface(ray);
+    }
+    Real nearest_shadow(const Ray<Real>& ray) const {
+        return by_rules ? Real(1e-3L) * unit : off_the_surface(ray);
+    }
+    Real off_the_surface(const Ray<Real>& ray) const {
+        return Real(1e-8L) * unit + 1000 * ray.origin_error;
+    }
+    Real farthest_hit() const {
+        return by_rules ? Real(1e7L) * unit : std::numeric_limits<Real>::infinity();
+    }
 };
 
-/// The one surface that POV-Ray sees first between two parameters of the ray; of several in one
-/// place the first declared, though POV-Ray promises none.
+/// The one surface that is seen first between two parameters of the ray; of several in one place the
+/// first declared, though POV-Ray promises none.
 template <class Real>
 std::optional<Hit<Real>> povray_hit(const World<Real>& world, const Ray<Real>& ray, Real first,
                                     Real last, Shadows shadows) {
@@ -66,33 +79,52 @@ Vec3<Real> povray_dimming(const PovRayAround<Real>& around, const Surface<Real>&
     return dims ? absorbed(s.finish->absorption, way) : Vec3<Real>(1);
 }
 
-/// The share of light that POV-Ray lets reach the start of `ray` from `distance` away. It sees no
-/// shadow next to either end, and nothing dims the last stretch.
+/// What is left of light after a way through the body that was entered last.
+template <class Real>
+Vec3<Real> dimmed_inside(const World<Real>& world, const MediaList& inside, Real way) {
+    const Finish<Real>* medium = medium_of(world, inside);
+    return medium != nullptr && medium->absorbs ? absorbed(medium->absorption, way) : Vec3<Real>(1);
+}
+
+/// The share of light that reaches the start of `ray` from `distance` away. POV-Ray sees no shadow
+/// next to either end, and nothing dims the last stretch.
 template <class Real>
 Vec3<Real> light_through(const World<Real>& world, Ray<Real> ray, Real distance,
                          const Start<Real>& /*start*/, PovRayAround<Real> around) {
-    const Real gap = around.nearest_shadow();
+    const auto casts_none = [&](std::uint32_t body) {
+        return !world.primitives[body].casts_shadow;
+    };
+    MediaList& inside = around.inside;
+    inside.erase(std::remove_if(inside.begin(), inside.end(), casts_none), inside.end());
     Vec3<Real> light(1);
     while (max_component(light) > 0) {
+        const Real gap = around.nearest_shadow(ray);
         const Real last = std::min(distance - gap, around.farthest_hit());
         const auto hit = povray_hit(world, ray, gap, last, Shadows::cast);
         if (!hit) break;
         const Surface<Real> s = make_surface(world, ray, *hit);
-        light = light * s.passing * povray_dimming(around, s, hit->t);
-        toggle(around.passed, s.id.primitive);
+        light = light * s.passing;
+        if (around.by_rules) {
+            light = light * povray_dimming(around, s, hit->t);
+            toggle(around.passed, s.id.primitive);
+        } else {
+            light = light * dimmed_inside(world, inside, hit->t);
+            if (s.primitive->medium) toggle(inside, s.id.primitive);
+        }
         distance -= hit->t;
         ray = ray_from(s, ray.dir);
     }
-    return light;
+    return around.by_rules ? light : light * dimmed_inside(world, inside, distance);
 }
 
-/// Traces rays through one world by POV-Ray's rules. One object per thread.
+/// Traces rays through one world a second way. One object per thread.
 template <class Real>
 class PovRayTracer {
   public:
-    /// \param unit  POV-Ray's unit of length in the world's
-    PovRayTracer(const World<Real>& world, Real unit)
-        : world_(world), unit_(unit), lighting_(world) {}
+    /// \param unit      POV-Ray's unit of length in the world's
+    /// \param by_rules  by POV-Ray's, else by Lancer's own
+    PovRayTracer(const World<Real>& world, Real unit, bool by_rules)
+        : world_(world), unit_(unit), by_rules_(by_rules), lighting_(world) {}
 
     const RayCounts& counts() const { return lighting_.counts; }
 
@@ -101,47 +133,44 @@ class PovRayTracer {
                           Witness<Real>* witness) {
         ++lighting_.counts.primary;
         lighting_.witness = witness;
-        const Around around{origins_.around(world_, from_camera).bodies, unit_};
-        return trace(ray, at_camera, around, Real(1), 0);
+        const MediaList bodies = origins_.around(world_, from_camera).bodies;
+        return trace(ray, at_camera, {bodies, bodies, unit_, by_rules_}, Real(1), 0);
     }
 
   private:
     using Around = PovRayAround<Real>;
+    using Step = Crossed<Real, Around>;
 
     /// \param start  the ray's parameter there
     /// \param level  rays that led to this one
     Vec3<Real> trace(Ray<Real> ray, Real start, Around around, Real weight, int level) {
-        const Settings& settings = world_.settings;
-        const auto bailout = static_cast<Real>(settings.min_contribution);
         Vec3<Real> result(0);
         Vec3<Real> through(1);
         bool straight = false;
         for (int passes = 0; passes < max_straight_passes; ++passes) {
-            // A ray that passes straight through keeps its level, but asks again: on the last one
-            // it brings nothing.
-            if (level >= std::min(settings.max_depth, 256) || weight < bailout) break;
-            if (!straight) ++level;
-            const auto hit = povray_hit(world_, ray, start + around.nearest_hit(),
+            if (!is_asked(weight, level, straight)) break;
+            const auto hit = povray_hit(world_, ray, start + around.nearest_hit(ray),
                                         start + around.farthest_hit(), Shadows::ignore);
             if (!hit) {
                 lighting_.note(none);
-                return result + through * world_.background;
+                return result + through * dimmed_before(around, unbounded) * world_.background;
             }
             const Surface<Real> s = make_surface(world_, ray, *hit);
             if (lighting_.witness != nullptr) lighting_.witness->remember(s, hit->t);
             lighting_.note(event_of(s));
+            through = through * dimmed_before(around, hit->t - start);
 
+            Around after = around;
+            const Real ratio = by_rules_ ? passed(after, s) : crossed_into(after, s);
             Vec3<Real> mirror = s.finish->reflection;
-            if (s.finish->fresnel)
-                mirror = mirror * fresnel_reflectance(-dot(s.normal, ray.dir), beyond(around, s));
+            if (s.finish->fresnel) mirror = mirror * fresnel(s, ray, around, ratio);
             Vec3<Real> passing = s.passing;
             if (s.finish->fresnel) passing = passing * (Vec3<Real>(1) - mirror);
-            const bool passes_on = std::min(grey(passing), Real(1)) > bailout;
-            Around after = around;
-            const Real ratio = passed(after, s);
-            straight = passes_on && is_one(ratio);
+            const bool passes_on = by_rules_ ? std::min(grey(passing), Real(1)) > bailout()
+                                             : max_component(s.passing) > 0;
+            straight = passes_on && (by_rules_ ? is_one(ratio) : ratio == 1);
             const SurfaceList touched;
-            Crossed<Real, Around> c{ray, touched, around, around, ratio, false, ray.dir};
+            Step c{ray, touched, around, by_rules_ ? around : after, ratio, false, ray.dir};
             if (passes_on && !straight && !refracted(ray.dir, s.normal, ratio, c.bent)) {
                 c.total = true;
                 c.bent = mirrored(ray.dir, s.normal);
@@ -150,22 +179,73 @@ class PovRayTracer {
             if (lighting_.witness != nullptr) lighting_.witness->settled = true;
             if (max_component(mirror) > 0 && !c.total) {
                 ++lighting_.counts.reflected;
+                const Vec3<Real> direction = mirrored(ray.dir, s.normal);
                 result += through * mirror *
-                          trace(ray_from(s, mirrored(ray.dir, s.normal)), 0, around,
-                                weight * max_component(mirror), level);
+                          trace(ray_from(s, direction), 0, leaving(c, after, s, direction, false),
+                                weight * max_component(mirror), level + 1);
             }
             if (!passes_on) break;
-            through = through * povray_dimming(around, s, hit->t - start);
-            if (!c.total) {
-                through = through * passing;
-                around = std::move(after);
-            }
-            weight *= max_component(passing);
+            if (by_rules_) through = through * povray_dimming(around, s, hit->t - start);
+            if (!c.total) through = through * passing;
+            weight *= max_component(c.total && !by_rules_ ? s.passing : passing);
             if (!straight) ++(c.total ? lighting_.counts.reflected : lighting_.counts.transmitted);
+            if (!straight) ++level;
+            around = leaving(c, after, s, c.bent, !c.total);
             ray = ray_from(s, c.bent);
             start = 0;
         }
         return result;
+    }
+
+    /// A ray that passes straight through keeps its level, but POV-Ray asks again: on the last one
+    /// it brings nothing.
+    bool is_asked(Real weight, int level, bool straight) const {
+        const int levels = world_.settings.max_depth;
+        if (weight < bailout()) return false;
+        if (!by_rules_) return level < levels;
+        return level + (straight ? 1 : 0) < std::min(levels, 256);
+    }
+    Real bailout() const { return static_cast<Real>(world_.settings.min_contribution); }
+
+    static constexpr Real unbounded = std::numeric_limits<Real>::infinity();
+
+    /// By Lancer's rules a stretch dims all that lies behind it.
+    Vec3<Real> dimmed_before(const Around& around, Real way) const {
+        return by_rules_ ? Vec3<Real>(1) : dimmed_inside(world_, around.inside, way);
+    }
+
+    /// What is around a ray that leaves a surface, refracted or mirrored.
+    Around leaving(const Step& c, const Around& after, const Surface<Real>& s,
+                   const Vec3<Real>& direction, bool refracted) const {
+        const Around& optical = refracted ? after : c.before;
+        if (by_rules_) return optical;
+        Around next = c.towards(s, direction);
+        next.passed = optical.passed;
+        return next;
+    }
+
+    Real fresnel(const Surface<Real>& s, const Ray<Real>& ray, const Around& around,
+                 Real ratio) const {
+        const Real cosine = -dot(s.normal, ray.dir);
+        if (by_rules_) return fresnel_reflectance(cosine, beyond(around, s));
+        if (s.primitive->medium || max_component(s.passing) > 0)
+            return fresnel_reflectance(cosine, 1 / ratio);
+        return opaque_reflectance(s, ray.dir, index_in(around.passed));
+    }
+
+    /// By Lancer's rules: takes the surface into the lists or from them. Returns the ratio of the
+    /// indices before and after.
+    Real crossed_into(Around& around, const Surface<Real>& s) const {
+        const Real before = index_in(around.passed);
+        if (s.primitive->medium) {
+            toggle(around.passed, s.id.primitive);
+            toggle(around.inside, s.id.primitive);
+        }
+        return before / index_in(around.passed);
+    }
+    Real index_in(const MediaList& bodies) const {
+        const Finish<Real>* medium = medium_of(world_, bodies);
+        return medium == nullptr ? Real(1) : medium->ior;
     }
 
     static Real grey(const Vec3<Real>& c) {
@@ -216,6 +296,7 @@ class PovRayTracer {
 
     const World<Real>& world_;
     Real unit_;
+    bool by_rules_;
     CameraMedia<Real> origins_;
     Lighting<Real, Around> lighting_;
 };

@@ -92,8 +92,8 @@ class Renderer {
 /// type's range.
 std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings);
 
-/// For the judge: a renderer that traces by POV-Ray's rules (tracer/povray_recursion.h), in double
-/// precision. Throws SceneError as compile() does.
+/// For the judge: a renderer with a recursion of its own (tracer/povray_recursion.h), by POV-Ray's
+/// rules or, where they are not `followed`, by ours; in double precision. Throws SceneError as compile() does.
 std::unique_ptr<Renderer> compile_by_povray(const Scene& scene, const Settings& settings,
                                             const PovRayRules& rules);
 

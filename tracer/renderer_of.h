@@ -21,9 +21,10 @@ class RendererOf final : public Renderer {
     RendererOf(const Scene& scene, const Settings& settings)
         : world_(compile_world<Real>(scene, settings)), cameras_(scene.cameras) {}
     RendererOf(const Scene& scene, const Settings& settings, const PovRayRules& by_povray)
-        : world_(compile_world<Real>(scene, settings, &by_povray)),
+        : world_(compile_world<Real>(scene, settings, by_povray.followed ? &by_povray : nullptr)),
           cameras_(scene.cameras),
-          povray_unit_(ldexp(static_cast<Real>(by_povray.unit), world_->scale_exponent)) {}
+          povray_unit_(ldexp(static_cast<Real>(by_povray.unit), world_->scale_exponent)),
+          by_povray_(by_povray.followed) {}
 
     Image render(const View& view, const Progress& progress, RayCounts& counts) const override {
         const Crop crop = view.crop.value_or(Crop{0, 0, view.width, view.height});
@@ -103,7 +104,7 @@ class RendererOf final : public Renderer {
     void with_tracer(Work&& work) const {
         if constexpr (std::is_same_v<Real, double>) {
             if (povray_unit_) {
-                PovRayTracer<Real> tracer(*world_, *povray_unit_);
+                PovRayTracer<Real> tracer(*world_, *povray_unit_, by_povray_);
                 work(tracer);
                 return;
             }
@@ -197,7 +198,8 @@ class RendererOf final : public Renderer {
 
     std::unique_ptr<World<Real>> world_;
     std::vector<Camera> cameras_;
-    std::optional<Real> povray_unit_;  ///< set: rays are traced by POV-Ray's rules
+    std::optional<Real> povray_unit_;  ///< set: rays are traced by the judge's recursion ...
+    bool by_povray_ = false;           ///< ... and by POV-Ray's rules
 };
 
 }  // namespace lancer

@@ -40,10 +40,14 @@ bool is_ours(const DifferentPixel& pixel, const Thresholds& limits, const Probe&
     return distance(probe(pixel.x + 0.5, pixel.y + 0.5).color, pixel.ours) <= limits.tight;
 }
 
-/// Whether the pixel has the value that the other program's rules give, to within `tolerance`.
-bool is_known(const DifferentPixel& pixel, double tolerance, const Probe& by_rules) {
-    if (!by_rules) return false;
-    return distance(by_rules(pixel.x + 0.5, pixel.y + 0.5).color, pixel.theirs) <= tolerance;
+/// Whether the other program's rules, and nothing else, make the difference to within `tolerance`.
+bool is_known(const DifferentPixel& pixel, double tolerance, const Thresholds& limits,
+              const SecondLook& second) {
+    if (!second.by_rules || !second.without) return false;
+    const double x = pixel.x + 0.5;
+    const double y = pixel.y + 0.5;
+    return distance(second.by_rules(x, y).color, pixel.theirs) <= tolerance &&
+           distance(second.without(x, y).color, pixel.ours) <= limits.tight;
 }
 
 void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
@@ -169,7 +173,7 @@ std::string class_name(PixelClass pixel_class) {
 }
 
 Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
-                const Thresholds& limits, const Probe& by_rules, std::uint64_t most_rays) {
+                const Thresholds& limits, const SecondLook& second, std::uint64_t most_rays) {
     assert(ours.width == theirs.width && ours.height == theirs.height);
     Judgement result;
     const std::vector<double> differences = pixel_differences(ours, theirs);
@@ -187,7 +191,7 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         });
     };
     const Probe look = counted(probe);
-    const Probe look_by_rules = counted(by_rules);
+    const SecondLook look_again{counted(second.by_rules), counted(second.without)};
     Mask skip = edges;
     std::vector<Offset> offsets;
     for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -199,7 +203,7 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         pixel.ours = color_at(ours, pixel.x, pixel.y);
         pixel.theirs = color_at(theirs, pixel.x, pixel.y);
         if (pixel.difference <= limits.interior) {
-            if (result.rays < most_rays && is_known(pixel, limits.tight, look_by_rules) &&
+            if (result.rays < most_rays && is_known(pixel, limits.tight, limits, look_again) &&
                 is_ours(pixel, limits, look))
                 result.classes[i] = PixelClass::known;
             continue;
@@ -207,10 +211,10 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         if (result.rays >= most_rays) {
             ++result.not_looked_at;
         } else if (is_ours(pixel, limits, look)) {
-            if (is_known(pixel, limits.interior, look_by_rules))
+            if (is_known(pixel, limits.interior, limits, look_again))
                 pixel.pixel_class = PixelClass::known;
             else
-                classify(pixel, look, limits, look_by_rules);
+                classify(pixel, look, limits, look_again.by_rules);
         }
         if (is_explained(pixel.pixel_class)) {
             offsets.push_back(pixel.offset);
@@ -226,9 +230,9 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
 
     measure_interior(result, edges, differences, limits);
     result.edge_shift = mean_offset(offsets);
-    const bool by_rules_too = look_by_rules && result.count(PixelClass::known) > 0;
+    const bool by_rules_too = result.count(PixelClass::known) > 0;
     result.picture_shift = register_pictures(
-        by_rules_too ? drawn_anew(ours, look_by_rules, skip) : ours, theirs, skip);
+        by_rules_too ? drawn_anew(ours, look_again.by_rules, skip) : ours, theirs, skip);
     decide(result, limits);
     return result;
 }

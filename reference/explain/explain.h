@@ -86,10 +86,17 @@ struct Judgement {
     std::size_t count(PixelClass c) const { return counts[static_cast<std::size_t>(c)]; }
 };
 
+/// The picture by a recursion that is not our renderer's own. Either may be empty: then nothing is
+/// known.
+struct SecondLook {
+    Probe by_rules;  ///< by the other program's rules: it gives the other program's values
+    Probe without;   ///< the same recursion without them: it gives ours
+};
+
 /// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
-/// `ours` at the pixels' centres. `by_rules`, which may be empty, gives our picture as it would be
-/// by the other program's rules: a pixel that takes its value is a known difference, shown by
-/// number.
+/// `ours` at the pixels' centres. A pixel is a known difference, shown by number, when the second look
+/// has the other program's value by its rules, and ours without them: so it is the rules that make
+/// the difference, and not a fault of our recursion.
 ///
 /// Explaining could excuse anything, so it is bounded. Rounding moves an edge by 10^-12 pixel or,
 /// where POV-Ray keeps single precision, by 10^-5: then hardly any pixel lies between the two
@@ -101,7 +108,7 @@ struct Judgement {
 /// Explaining a pixel takes thousands of looks. Once they have cost `most_rays`, the pixels that
 /// are left count as unexplained.
 Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
-                const Thresholds& thresholds, const Probe& by_rules = {},
+                const Thresholds& thresholds, const SecondLook& second = {},
                 std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max());
 
 }  // namespace lancer::reference

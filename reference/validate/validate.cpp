@@ -73,11 +73,16 @@ void judge_pictures(Validation& result, const OurPicture& ours, const PovRayRule
         result.reasons.push_back(result.comparison.reason);
         return;
     }
-    Probe by_rules;
+    SecondLook second;
     // Named or not: next to where any two bodies meet, faces are nearer than POV-Ray's constants.
-    if (ours.by_rules) by_rules = exposed(ours.by_rules(rules), result.exposure);
+    if (ours.by_rules) {
+        PovRayRules none = rules;
+        none.followed = false;
+        second.by_rules = exposed(ours.by_rules(rules), result.exposure);
+        second.without = exposed(ours.by_rules(none), result.exposure);
+    }
     result.judgement = judge(result.ours, result.theirs, exposed(ours.probe, result.exposure),
-                             result.thresholds, by_rules, rays_for_explaining(ours.rays));
+                             result.thresholds, second, rays_for_explaining(ours.rays));
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
     result.reasons = result.judgement.failures;
 }

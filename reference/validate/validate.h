@@ -19,7 +19,8 @@ namespace lancer::reference {
 struct OurPicture {
     Image image;  ///< linear light, 3 channels, not clamped
     Probe probe;  ///< the same picture between the pixels' centres, in the same units
-    /// The same with what POV-Ray does otherwise by rule done its way; may be empty.
+    /// The same by the judge's own recursion, with what POV-Ray does otherwise by rule done its way
+    /// or, where the rules are not followed, ours; may be empty.
     std::function<Probe(const PovRayRules& rules)> by_rules;
     std::uint64_t rays = 0;  ///< of all kinds, that the picture took
     double seconds = 0;

@@ -185,11 +185,25 @@ TEST(Judge, CountsAsKnownOnlyWhatTheOtherRuleGivesExactly) {
     const Image ours = tiny::Tracer(world).render();
     const Probe probe = tiny::probe_of(world);
     const Probe rule = tiny::probe_of(dimmer);
-    const Judgement right = judge(ours, tiny::Tracer(dimmer).render(true), probe, {}, rule);
+    const Judgement right =
+        judge(ours, tiny::Tracer(dimmer).render(true), probe, {}, {rule, probe});
     EXPECT_EQ(right.count(PixelClass::unexplained), 0u) << summary(right);
     EXPECT_GT(right.count(PixelClass::known), 5000u);
-    const Judgement off = judge(ours, tiny::Tracer(wrong).render(true), probe, {}, rule);
+    const Judgement off = judge(ours, tiny::Tracer(wrong).render(true), probe, {}, {rule, probe});
     EXPECT_GT(off.count(PixelClass::unexplained), 5000u) << summary(off);
+}
+
+TEST(Judge, DoesNotTakeOurOwnFaultForTheOthersRule) {
+    const World right;
+    World faulty;
+    faulty.brightness = 1.01;
+    const Image ours = tiny::Tracer(faulty).render();
+    const Image theirs = tiny::Tracer(right).render(true);
+    const Probe second = tiny::probe_of(right);
+    const Judgement j = judge(ours, theirs, tiny::probe_of(faulty), {}, {second, second});
+    EXPECT_FALSE(j.pass);
+    EXPECT_LT(j.count(PixelClass::known), 10u) << "where the fault is hardly over `tight`";
+    EXPECT_GT(j.count(PixelClass::unexplained), 5000u) << summary(j);
 }
 
 /// A world's picture but for one pixel, where both programs are asked about a slope of `slope` per
@@ -226,7 +240,7 @@ TEST(Judge, ExplainsNothingWhereThePictureIsNotWhatTheRendererGives) {
     const Image theirs = tiny::Tracer(world).render(true);
     for (double& value : ours.data) value *= 0.9;
     const Probe probe = tiny::probe_of(world);
-    const Judgement j = judge(ours, theirs, probe, {}, probe);
+    const Judgement j = judge(ours, theirs, probe, {}, {probe, probe});
     EXPECT_EQ(j.explained, 0u) << summary(j);
     EXPECT_EQ(j.count(PixelClass::known), 0u) << summary(j);
     EXPECT_GT(j.count(PixelClass::unexplained), 5000u) << summary(j);

@@ -214,6 +214,40 @@ TEST_F(ByRule, IndicesInSinglePrecisionAreKnown) {
     expect_known(scene, Rule::index_single, 100);
 }
 
+/// A glass ball over a matt floor, which POV-Ray renders as we do.
+Scene ball_on_floor() {
+    Scene scene = wall_scene();
+    add_object(scene, Plane{{0, 1, 0}, -1.2});
+    Material tinted = glass(1.5, 0.4);
+    tinted.filter = 0.5;
+    tinted.color = {0.9, 0.6, 0.3};
+    add_object(scene, Sphere{}, add_material(scene, tinted));
+    return scene;
+}
+
+TEST_F(ByRule, AFaultOfOurRecursionAloneIsUnexplained) {
+    // POV-Ray's rules give its values, but it is not they that make the difference.
+    const Scene scene = ball_on_floor();
+    EXPECT_EQ(validate(scene).verdict, Verdict::agrees);
+    const Fault brighter = [](Scene& ours) { ours.materials.back().transmission += 0.01; };
+    const Validation v = validate(scene, brighter, {}, true);
+    EXPECT_EQ(v.verdict, Verdict::differs);
+    EXPECT_EQ(v.judgement.count(PixelClass::known), 0u);
+    EXPECT_GE(v.judgement.count(PixelClass::unexplained), 1000u);
+}
+
+TEST_F(ByRule, AFaultOfOurRecursionIsUnexplainedWhereARuleCountsToo) {
+    Scene scene = ball_on_floor();
+    scene.materials.back().absorption = {0.5, 0.3, 0.1};
+    scene.materials.back().diffuse = 0.4;
+    EXPECT_GE(validate(scene).judgement.count(PixelClass::known), 1000u);
+    const Fault brighter = [](Scene& ours) { ours.materials.back().transmission += 0.01; };
+    const Validation v = validate(scene, brighter, {}, true);
+    EXPECT_EQ(v.verdict, Verdict::differs);
+    EXPECT_EQ(v.judgement.count(PixelClass::known), 0u);
+    EXPECT_GE(v.judgement.count(PixelClass::unexplained), 1000u);
+}
+
 /// Balls and boxes of glass that overlap, each of its own matter, by a fixed seed.
 Scene random_glass(unsigned seed) {
     std::mt19937 random(seed);

@@ -15,18 +15,21 @@ using Fault = std::function<void(Scene&)>;
 
 class Validate : public WithPovRay {
   protected:
-    /// `fault` is done to our scene alone. POV-Ray's picture is made once and kept.
-    Validation validate(const Scene& scene, const Fault& fault = {},
-                        const Expectations& expect = {}) {
+    /// `fault` is done to our scene alone; not to what the judge's own recursion sees of it, where
+    /// the fault shall be one of our recursion. POV-Ray's picture is made once and kept.
+    Validation validate(const Scene& scene, const Fault& fault = {}, const Expectations& expect = {},
+                        bool of_recursion = false) {
         ValidationJob job;
         job.name = "test";
         job.scene = std::make_shared<const Scene>(scene);
         job.view = {0, 160, 120};
         job.expect = expect;
-        const OurRenderer renderer = [&fault](const Scene& given, const ExportView& view) {
+        const OurRenderer renderer = [&](const Scene& given, const ExportView& view) {
             Scene ours = given;
             if (fault) fault(ours);
-            return cli::render_ours(ours, view);
+            OurPicture picture = cli::render_ours(ours, view);
+            if (of_recursion) picture.by_rules = cli::render_ours(given, view).by_rules;
+            return picture;
         };
         PovOptions options;
         options.cache = cache().path().string();
