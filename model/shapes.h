@@ -90,7 +90,7 @@ struct Mesh {
     using Corners = std::array<std::uint32_t, 3>;
 
     std::vector<Vec3d> vertices;
-    std::vector<Corners> faces;  ///< into `vertices`; no degenerate ones
+    std::vector<Corners> faces;  ///< into `vertices`; at least one, none degenerate
     std::vector<Vec3d> normals;  ///< may be empty: none given
     /// Into `normals`, one per face; empty: the same as `faces`. A corner may be `none`.
     std::vector<Corners> normal_faces;

@@ -31,6 +31,10 @@ inline constexpr int least_halvings = 3;
 /// Pairs of triangles that take about 250 MB.
 inline constexpr std::size_t most_pairs = std::size_t(1) << 20;
 
+/// Pieces that each segment of a curved lathe is cut into, a power of two: the more, the fewer roots
+/// POV-Ray loses, and the longer it takes (docs/export.md, "Curved lathes").
+inline constexpr std::size_t lathe_pieces = 32;
+
 /// Meshes are moved by whole steps of about their size; any near it will do.
 inline double step_for(double size) {
     return size > 0 ? std::ldexp(1.0, std::ilogb(size) + 1) : 1;

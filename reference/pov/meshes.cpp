@@ -125,7 +125,7 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     const Mesh& mesh = *writer.scene.meshes[shape->mesh];
     const bool smooth = shape->smooth && writer.scene.settings.smooth;
     const MeshKey key = mesh_key(*shape, smooth, own);
-    if (mesh.faces.empty() || writer.mesh_names.contains(key)) return;
+    if (writer.mesh_names.contains(key)) return;
     const std::string name = fmt::format("Mesh{}", writer.mesh_names.size());
     writer.text.open(fmt::format("#declare {} = mesh2 {{  // {} vertices, {} faces", name,
                                  mesh.vertices.size(), mesh.faces.size()));
@@ -136,9 +136,7 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
 
 bool open_mesh(Writer& writer, const Object&, const MeshRef& shape, PowerOfTen own) {
     const bool smooth = shape.smooth && writer.scene.settings.smooth;
-    const auto name = writer.mesh_names.find(mesh_key(shape, smooth, own));
-    if (name == writer.mesh_names.end()) return false;  // a mesh without faces shows nothing
-    writer.text.open("object { " + name->second);
+    writer.text.open("object { " + writer.mesh_names.at(mesh_key(shape, smooth, own)));
     return true;
 }
 

@@ -62,7 +62,8 @@ std::vector<Segment> halved(const std::vector<Segment>& curve) {
 /// POV-Ray solves an equation of the sixth degree for each piece of a lathe, and solves that of a
 /// shorter one better: docs/export.md, "Curved lathes".
 std::vector<Segment> cut_for_lathe(std::vector<Segment> curve) {
-    for (int i = 0; i < 5; ++i) curve = halved(curve);
+    const std::size_t enough = lathe_pieces * curve.size();
+    while (curve.size() < enough) curve = halved(curve);
     return curve;
 }
 

@@ -17,6 +17,7 @@ import pathlib
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -158,16 +159,39 @@ class Laboratory:
 
     def objection(self, number):
         """The first words of a scene's failure, '' where all scenes agree that look at literal `number`."""
-        asked = [name for _, name, looked_at in self.scenes if number in looked_at]
-        for i in range(0, len(asked), AT_ONCE):
-            done = run([PROGRAM, "validate", *asked[i:i + AT_ONCE]], self.folder, 900,
-                       LANCER_MUTANT=str(number), **self.cache)
-            if done is None:
-                return "does not end"
-            if done.returncode != 0:
-                bad = re.search(r"^\S+ +(differs|failed)\b.*", done.stdout, re.MULTILINE)
-                return re.sub(" +", " ", bad[0])[:60] if bad else f"exit {done.returncode}"
-        return ""
+        waiting = [name for _, name, looked_at in self.scenes if number in looked_at]
+        running = []
+        words = ""
+        while not words and (waiting or running):
+            while waiting and len(running) < AT_ONCE:
+                running.append(self.validation(waiting.pop(0), number))
+            time.sleep(0.02)
+            for process, said, end in running[:]:
+                if process.poll() is None and time.monotonic() < end:
+                    continue
+                if process.returncode != 0:
+                    words = failure(process, said)
+                    break
+                running.remove((process, said, end))
+        for process, *_ in running:
+            process.send_signal(signal.SIGINT)  # so that it takes POV-Ray and its folders along
+            process.wait()
+        return words
+
+    def validation(self, name, number):
+        """The process, the file with what it says, and when it is taken not to end."""
+        said = tempfile.TemporaryFile("w+")
+        process = subprocess.Popen([PROGRAM, "validate", name], cwd=self.folder, stdout=said, stderr=subprocess.STDOUT,
+                                   env={**os.environ, "LANCER_MUTANT": str(number), **self.cache})
+        return process, said, time.monotonic() + 900
+
+
+def failure(process, said):
+    if process.returncode is None:
+        return "does not end"
+    said.seek(0)
+    bad = re.search(r"^\S+ +(differs|failed)\b.*", said.read(), re.MULTILINE)
+    return re.sub(" +", " ", bad[0])[:60] if bad else f"exit {process.returncode}"
 
 
 def switched(source, numbered):
@@ -188,7 +212,7 @@ def main():
     options.add_argument("--seed", type=int, nargs="+", default=[1])
     options.add_argument("--count", type=int, default=30)
     options.add_argument("--all", action="store_true", help="examine every literal")
-    options.add_argument("--only", default="", help="examine the literals whose line of --list holds this")
+    options.add_argument("--only", nargs="+", help="examine the literals whose line of --list holds one of these")
     options.add_argument("--folder", help="where to build; a temporary folder by default")
     options.add_argument("--list", action="store_true", help="print every literal with its change, and stop")
     options = options.parse_args()
@@ -202,8 +226,11 @@ def main():
     for rule, reason in [*RULES.items(), *((f"{name}.*", OTHER_FILES[name]) for name in OTHER_FILES)]:
         print(f"  {sum(literal.rule == rule.removesuffix('.*') for literal in every):3d}  {rule}: {reason}")
     numbered = list(enumerate(literals))
-    if options.only or options.all:
-        draws = {"": [(number, literal) for number, literal in numbered if options.only in str(literal)]}
+    if options.all:
+        draws = {"": numbered}
+    elif options.only:
+        draws = {"": [(number, literal) for number, literal in numbered
+                      if any(text in str(literal) for text in options.only)]}
     else:
         draws = {f"seed {seed}: ": random.Random(seed).sample(numbered, options.count) for seed in options.seed}
 
