@@ -74,7 +74,7 @@ Ray<Real> ray_from_camera(const Lens<Real>& lens, Real sx, Real sy) {
 /// The same line, with its origin where the lens has it.
 template <class Real>
 Ray<Real> camera_ray(const Lens<Real>& lens, Real sx, Real sy) {
-    if (!(lens.ahead > 0)) return ray_from_camera(lens, sx, sy);
+    if (lens.ahead == 0) return ray_from_camera(lens, sx, sy);
     const Vec3<Real> aside = sx * lens.right + sy * lens.up;
     const Vec3<Real> dir = lens.orthographic ? lens.forward : normalize(lens.forward + aside);
     VectorSum<Real> origin =

@@ -75,7 +75,7 @@ class Lighting {
         Vec3<Real> sum = s.opacity * s.color * (f.ambient * world_.ambient + f.emission);
         const bool glossy = f.phong > 0 || f.blinn > 0;
         const bool matt_in_front = f.diffuse > 0 && s.opacity > 0;
-        const Vec3<Real> mirror = f.phong > 0 ? mirrored(c.ray.dir, s.normal) : Vec3<Real>(0);
+        const Vec3<Real> mirror = f.phong > 0 ? mirrored(c.ray.dir, s.normal) : Vec3<Real>{};
         for (std::size_t i = 0; i < world_.lights.size(); ++i) {
             const LightSource<Real>& light = world_.lights[i];
             const Illumination<Real> at = illuminate(light, s.position, s.position_lo);

@@ -150,7 +150,7 @@ class RendererOf final : public Renderer {
         const Real sx = x / static_cast<Real>(view.width) - Real(0.5);
         const Real sy = Real(0.5) - y / static_cast<Real>(view.height);
         const Ray<Real> ray = camera_ray(lens, sx, sy);
-        if (!(lens.ahead > 0)) return tracer.camera_ray(ray, Real(0), ray, witness);
+        if (lens.ahead == 0) return tracer.camera_ray(ray, Real(0), ray, witness);
         const Real at_camera = camera_parameter(lens, sx, sy);
         const Vec3<Real> color =
             tracer.camera_ray(ray, at_camera, ray_from_camera(lens, sx, sy), witness);

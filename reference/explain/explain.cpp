@@ -50,19 +50,41 @@ bool is_known(const DifferentPixel& pixel, double tolerance, const Thresholds& l
            distance(second.without(x, y).color, pixel.ours) <= limits.tight;
 }
 
+/// What explains that our pixel is not `pixel.theirs`.
 void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
-              const Probe& by_rules) {
+              const SecondLook& second) {
+    if (is_known(pixel, limits.interior, limits, second)) {
+        pixel.pixel_class = PixelClass::known;
+        return;
+    }
     const double x = pixel.x + 0.5;
     const double y = pixel.y + 0.5;
     auto crossing = find_crossing(probe, x, y, pixel.theirs, limits.radius, limits.interior);
     // Behind an edge, too, the other program follows its own rules.
-    if (!crossing && by_rules)
-        crossing = find_crossing(by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
+    if (!crossing && second.by_rules)
+        crossing =
+            find_crossing(second.by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
     if (crossing) {
         pixel.pixel_class = class_of(crossing->kind);
         pixel.offset = {crossing->dx, crossing->dy};
     } else if (reached_at(probe, x, y, pixel.theirs, limits.digits, limits.interior)) {
         pixel.pixel_class = PixelClass::steep;
+    }
+}
+
+/// The same for what the other program says when it is asked again.
+void classify_again(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
+                    const SecondLook& second) {
+    for (std::size_t i = 0; i < second.again.size(); ++i) {
+        if (pixel.pixel_class != PixelClass::unexplained) return;
+        const Color first = pixel.theirs;
+        pixel.theirs = color_at(second.again[i], pixel.x, pixel.y);
+        if (distance(pixel.theirs, pixel.ours) <= limits.interior)
+            pixel.pixel_class = PixelClass::known;
+        else if (distance(pixel.theirs, first) > limits.tight)
+            classify(pixel, probe, limits, second);
+        pixel.theirs = first;
+        if (pixel.pixel_class != PixelClass::unexplained) pixel.asked_again = i + 1;
     }
 }
 
@@ -191,7 +213,7 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         });
     };
     const Probe look = counted(probe);
-    const SecondLook look_again{counted(second.by_rules), counted(second.without)};
+    const SecondLook look_again{counted(second.by_rules), counted(second.without), second.again};
     Mask skip = edges;
     std::vector<Offset> offsets;
     for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -211,10 +233,8 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
         if (result.rays >= most_rays) {
             ++result.not_looked_at;
         } else if (is_ours(pixel, limits, look)) {
-            if (is_known(pixel, limits.interior, limits, look_again))
-                pixel.pixel_class = PixelClass::known;
-            else
-                classify(pixel, look, limits, look_again.by_rules);
+            classify(pixel, look, limits, look_again);
+            classify_again(pixel, look, limits, look_again);
         }
         if (is_explained(pixel.pixel_class)) {
             offsets.push_back(pixel.offset);
@@ -230,7 +250,7 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
 
     measure_interior(result, edges, differences, limits);
     result.edge_shift = mean_offset(offsets);
-    const bool by_rules_too = result.count(PixelClass::known) > 0;
+    const bool by_rules_too = second.by_rules && result.count(PixelClass::known) > 0;
     result.picture_shift = register_pictures(
         by_rules_too ? drawn_anew(ours, look_again.by_rules, skip) : ours, theirs, skip);
     decide(result, limits);

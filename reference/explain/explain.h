@@ -59,6 +59,9 @@ struct DifferentPixel {
     Color ours{0, 0, 0};
     Color theirs{0, 0, 0};
     Offset offset;  ///< explained: from the centre to the edge
+    /// 0, or which of SecondLook::again the other program was believed, from 1: `theirs` is of the
+    /// first time all the same.
+    std::size_t asked_again = 0;
 };
 
 struct Judgement {
@@ -86,17 +89,21 @@ struct Judgement {
     std::size_t count(PixelClass c) const { return counts[static_cast<std::size_t>(c)]; }
 };
 
-/// The picture by a recursion that is not our renderer's own. Either may be empty: then nothing is
-/// known.
+/// What is asked of a pixel that differs. All may be empty.
 struct SecondLook {
+    // The picture by a recursion that is not our renderer's own.
     Probe by_rules;  ///< by the other program's rules: it gives the other program's values
     Probe without;   ///< the same recursion without them: it gives ours
+    /// The other program's pictures of the same scene in other words. Where one has another value
+    /// than `theirs` had, the program contradicts itself, and the pixel is judged by that value.
+    std::vector<Image> again{};
 };
 
 /// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
 /// `ours` at the pixels' centres. A pixel is a known difference, shown by number, when the second look
 /// has the other program's value by its rules, and ours without them: so it is the rules that make
-/// the difference, and not a fault of our recursion.
+/// the difference, and not a fault of our recursion; or when the other program, asked again, has
+/// ours.
 ///
 /// Explaining could excuse anything, so it is bounded. Rounding moves an edge by 10^-12 pixel or,
 /// where POV-Ray keeps single precision, by 10^-5: then hardly any pixel lies between the two

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace lancer::reference::pov {
 
@@ -31,9 +32,26 @@ inline constexpr int least_halvings = 3;
 /// Pairs of triangles that take about 250 MB.
 inline constexpr std::size_t most_pairs = std::size_t(1) << 20;
 
+/// How often POV-Ray halves each patch: as often as the triangles of all of them fit.
+///
+/// \param patches  of each net
+inline int halvings_for(const std::vector<std::size_t>& patches) {
+    std::size_t all = 0;
+    for (const std::size_t count : patches) all += count;
+    int steps = most_halvings;
+    while (steps > least_halvings && (all << (2 * steps)) > most_pairs) --steps;
+    return steps;
+}
+
+/// A patch's `type`: POV-Ray keeps the triangles (1) or makes the same ones anew for each ray (0).
+inline constexpr int kept_triangles = 1;
+
 /// Pieces that each segment of a curved lathe is cut into, a power of two: the more, the fewer roots
 /// POV-Ray loses, and the longer it takes (docs/export.md, "Curved lathes").
-inline constexpr std::size_t lathe_pieces = 32;
+inline constexpr std::size_t usual_lathe_pieces = 32;
+
+/// The most levels that POV-Ray follows: it takes more for as many.
+inline constexpr int most_levels = 256;
 
 /// Meshes are moved by whole steps of about their size; any near it will do.
 inline double step_for(double size) {

@@ -33,6 +33,9 @@ struct ExportOptions {
     /// Lengths are multiplied by ten to this power instead, whatever POV-Ray makes of them: for
     /// finding out where its constants begin to show.
     std::optional<int> decades{};
+    /// Each segment of a curved lathe is cut into so many pieces, a power of two, Catmull-Rom's too:
+    /// the same scene in other words, for asking POV-Ray twice where its solver errs.
+    std::optional<std::size_t> lathe_pieces{};
 };
 
 /// A file that must stand beside the `.pov`.
@@ -57,6 +60,7 @@ struct KnownDifference {
         light_from_behind,    ///< a shadow ray on the far side starts with the viewer's media
         patch_facets,         ///< flat triangles under mixed normals
         index_single,         ///< indices of refraction in single precision
+        lathe_roots,          ///< now and then a crossing of a curved lathe is lost, or its digits
     };
     Rule rule;
     std::string explanation;  ///< one sentence: POV-Ray's rule, and ours

@@ -61,8 +61,8 @@ std::vector<Segment> halved(const std::vector<Segment>& curve) {
 
 /// POV-Ray solves an equation of the sixth degree for each piece of a lathe, and solves that of a
 /// shorter one better: docs/export.md, "Curved lathes".
-std::vector<Segment> cut_for_lathe(std::vector<Segment> curve) {
-    const std::size_t enough = lathe_pieces * curve.size();
+std::vector<Segment> cut_for_lathe(std::vector<Segment> curve, std::size_t pieces) {
+    const std::size_t enough = pieces * curve.size();
     while (curve.size() < enough) curve = halved(curve);
     return curve;
 }
@@ -85,22 +85,17 @@ std::vector<Vec2d> flattened(const std::vector<Segment>& curve, PowerOfTen own) 
 
 bool open_lathe(Writer& writer, const Lathe& lathe, PowerOfTen own) {
     const std::vector<Vec2d>& p = lathe.profile;
+    const std::optional<std::size_t> pieces = writer.options.lathe_pieces;
     std::vector<Vec2d> points;
     std::string spline = "bezier_spline";
-    const auto point = [&](std::size_t i) { return p[i]; };
-    switch (lathe.spline) {
-        case Spline::linear:
-        case Spline::catmull_rom:
-            spline = lathe.spline == Spline::linear ? "linear_spline" : "cubic_spline";
-            for (const Vec2d& q : p) points.push_back(own(q));
-            break;
-        case Spline::bezier:
-            points =
-                flattened(cut_for_lathe(segments(lathe.spline, (p.size() - 1) / 3, point)), own);
-            break;
-        case Spline::bspline:
-            points = flattened(cut_for_lathe(segments(lathe.spline, p.size() - 3, point)), own);
-            break;
+    if (lathe.spline == Spline::linear || (lathe.spline == Spline::catmull_rom && !pieces)) {
+        spline = lathe.spline == Spline::linear ? "linear_spline" : "cubic_spline";
+        for (const Vec2d& q : p) points.push_back(own(q));
+    } else {
+        const bool bezier = lathe.spline == Spline::bezier;
+        const auto curve = segments(lathe.spline, bezier ? (p.size() - 1) / 3 : p.size() - 3,
+                                    [&](std::size_t i) { return p[i]; });
+        points = flattened(cut_for_lathe(curve, pieces.value_or(usual_lathe_pieces)), own);
     }
     write_points(writer.text, fmt::format("lathe {{ {} {},", spline, points.size()), points);
     return true;
@@ -133,35 +128,34 @@ using Net = std::array<std::array<Vec3d, 4>, 4>;  // of a bicubic Bezier patch, 
 /// The Bezier patch of the 4 x 4 control points from (row, column) on.
 Net bezier_net(const Patch& patch, std::size_t row, std::size_t column, PowerOfTen own) {
     Net net;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i < net.size(); ++i)
+        for (std::size_t j = 0; j < net[i].size(); ++j)
             net[i][j] = own(patch.control[(row + i) * patch.columns + column + j]);
     if (patch.basis == Patch::Basis::bezier) return net;
     for (auto& r : net) r = bezier_of_bspline(r[0], r[1], r[2], r[3]);
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < net.size(); ++j) {
         const auto c = bezier_of_bspline(net[0][j], net[1][j], net[2][j], net[3][j]);
-        for (std::size_t i = 0; i < 4; ++i) net[i][j] = c[i];
+        for (std::size_t i = 0; i < net.size(); ++i) net[i][j] = c[i];
     }
     return net;
 }
 
-/// How often POV-Ray halves each patch: as often as the triangles of all of them fit into its
-/// memory.
+/// Each 4 x 4 points of a net make a patch.
+std::size_t patches_along(std::uint32_t points) { return points - 3; }
+
 int halvings(const Scene& scene) {
-    std::size_t patches = 0;
+    std::vector<std::size_t> patches;
     for (const Object& object : scene.objects)
         if (const auto* shape = std::get_if<PatchRef>(&object.shape)) {
             const Patch& p = scene.patches[shape->patch];
-            patches += std::size_t{p.rows - 3} * (p.columns - 3);
+            patches.push_back(patches_along(p.rows) * patches_along(p.columns));
         }
-    int steps = most_halvings;
-    while (steps > least_halvings && (patches << (2 * steps)) > most_pairs) --steps;
-    return steps;
+    return halvings_for(patches);
 }
 
 std::string uv_corners(const Patch& patch, std::size_t row, std::size_t column) {
     const auto part = [](std::size_t i, std::uint32_t count) {
-        return static_cast<double>(i) / static_cast<double>(count - 3);
+        return static_cast<double>(i) / static_cast<double>(patches_along(count));
     };
     const double u0 = part(column, patch.columns), u1 = part(column + 1, patch.columns);
     const double v0 = part(row, patch.rows), v1 = part(row + 1, patch.rows);
@@ -170,7 +164,8 @@ std::string uv_corners(const Patch& patch, std::size_t row, std::size_t column) 
 }
 
 void open_bezier(Text& text, const Net& net, int steps, const std::string& uvs) {
-    text.open(fmt::format("bicubic_patch {{ type 1 flatness 0 u_steps {0} v_steps {0}", steps));
+    text.open(fmt::format("bicubic_patch {{ type {0} flatness 0 u_steps {1} v_steps {1}",
+                          kept_triangles, steps));
     text.line(uvs);
     std::vector<std::string> items;
     for (const auto& row : net)
@@ -182,22 +177,19 @@ void open_bezier(Text& text, const Net& net, int steps, const std::string& uvs) 
 
 bool open_patch(Writer& writer, const Object& object, const Patch& patch, PowerOfTen own) {
     std::vector<Net> nets;
-    const std::size_t across = patch.columns - 3;
-    for (std::size_t i = 0; i + 3 < patch.rows; ++i)
+    const std::size_t across = patches_along(patch.columns);
+    for (std::size_t i = 0; i < patches_along(patch.rows); ++i)
         for (std::size_t j = 0; j < across; ++j) nets.push_back(bezier_net(patch, i, j, own));
     const int steps = halvings(writer.scene);
     writer.result.rules.patch_halvings[std::get<PatchRef>(object.shape).patch] = steps;
     writer.approximate(
         object.place,
         fmt::format("patch as {0} x {0} x 2 triangles per bicubic patch", std::size_t(1) << steps));
-    if (nets.size() == 1) {
-        open_bezier(writer.text, nets[0], steps, uv_corners(patch, 0, 0));
-        return true;
-    }
-    writer.text.open("union {");
+    const bool union_of_patches = patch.basis == Patch::Basis::bspline;
+    if (union_of_patches) writer.text.open("union {");
     for (std::size_t k = 0; k < nets.size(); ++k) {
         open_bezier(writer.text, nets[k], steps, uv_corners(patch, k / across, k % across));
-        writer.text.close();
+        if (union_of_patches) writer.text.close();
     }
     return true;
 }

@@ -1,4 +1,4 @@
-// Everything but objects: header, settings, camera, lights.
+// Settings, camera, lights.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,44 +8,13 @@
 
 namespace lancer::reference::pov {
 
-namespace {
-
-// "12.5 %" for people would hide digits: numbers in comments are written as in the scene.
-std::string samples_note(const Writer& writer) {
-    const int n = writer.scene.settings.samples;
-    if (n <= 1) return "";
-    return fmt::format(
-        "// The scene asks for {0} x {0} rays per pixel: render {1} x {2} and average blocks of "
-        "{0} x {0}.",
-        n, n * writer.view.width, n * writer.view.height);
-}
-
-}  // namespace
-
-void write_header(Writer& writer) {
-    Text& text = writer.text;
-    text.line("// " + comment(writer.options.name) + ": written by Lancer for POV-Ray 3.7");
-    text.line(fmt::format(
-        "// povray +I{}.pov +W{} +H{} +FN16 File_Gamma=1.0 -D -A   (16 bit, linear light)",
-        comment(writer.options.name), writer.view.width, writer.view.height));
-    const std::string samples = samples_note(writer);
-    if (!samples.empty()) text.line(samples);
-    text.line(writer.window.exponent == 0
-                  ? "// Lengths are those of the scene."
-                  : "// Lengths are those of the scene times " + number(writer.window.factor()) +
-                        ": POV-Ray sees no hit nearer than 1e-4, no shadow nearer than 1e-3.");
-    if (writer.options.exposure != 1)
-        text.line("// Lights, emission and background are multiplied by " +
-                  number(writer.options.exposure) + ".");
-    text.line("#version 3.7;");
-}
-
 void write_global_settings(Writer& writer) {
     const Scene& scene = writer.scene;
     Text& text = writer.text;
+    text.line("#version 3.7;");
     text.open("global_settings {");
     text.line("assumed_gamma 1.0");
-    text.line(fmt::format("max_trace_level {}", std::clamp(scene.settings.max_depth, 1, 256)));
+    text.line(fmt::format("max_trace_level {}", std::min(scene.settings.max_depth, most_levels)));
     text.line("adc_bailout " + number(scene.settings.min_contribution));
     text.line("ambient_light " + rgb(writer.lit(scene.ambient)));
     text.close();
@@ -61,7 +30,7 @@ void write_camera(Writer& writer) {
         static_cast<double>(writer.view.width) / static_cast<double>(writer.view.height);
     Text& text = writer.text;
     text.open("camera {" + (camera.name.empty() ? "" : "  // " + comment(camera.name)));
-    double height = 0;
+    double height{};
     if (const auto* perspective = std::get_if<PerspectiveProjection>(&camera.projection)) {
         text.line("perspective  // vertical angle " + number(perspective->fov));
         height = 2 * elementary::tan(radians(perspective->fov / 2));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <span>
 
 namespace lancer::reference::pov {
@@ -77,18 +78,18 @@ double PowerOfTen::operator()(double length) const {
             .ptr;
     char* const power = std::find(text.data(), end, 'e') + 1;
     int decades{};
-    std::from_chars(*power == '+' ? power + 1 : power, end, decades);
+    std::from_chars(*power == '+' ? std::next(power) : power, end, decades);
     char* const new_end = std::to_chars(power, text.data() + text.size(), decades + exponent).ptr;
     double moved{};
     const auto read = std::from_chars(text.data(), new_end, moved);
     // Out of range: an infinity or a zero, as the product would be.
-    return read.ec == std::errc{} ? moved : length * elementary::pow(10.0, double(exponent));
+    return read.ec == std::errc{} ? moved : length * factor();
 }
 
 Vec3d PowerOfTen::plainly(const Vec3d& v) const {
     // Divided rather than multiplied by a fraction: powers up to 10^22 are exact.
     const double power = PowerOfTen{std::abs(exponent)}.factor();
-    return exponent < 0 ? v / power : v * power;
+    return exponent > 0 ? v * power : v / power;
 }
 
 void Text::list(const std::vector<std::string>& items) {

@@ -67,7 +67,7 @@ class Text {
 
   private:
     std::string out_;
-    int depth_ = 0;
+    int depth_{};
 };
 
 }  // namespace lancer::reference::pov

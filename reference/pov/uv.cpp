@@ -132,9 +132,10 @@ struct UvWriter {
         x[aside] += 1;
         x = normalize(x);
         const Vec3d z = cross(x, y);
-        const auto cap = [this](int number, double radius, double height) {
+        const auto cap = [this](int number, double radius) {
             const double r = own(radius);
-            if (r > 0) face(number, {-r, height, -r}, {2 * r, 0, 0}, {0, 0, 2 * r});
+            // At whatever height: a picture has no depth.
+            if (r != 0) face(number, Vec3d(-r), {2 * r, 0, 0}, {0, 0, 2 * r});
         };
         writer.text.open("pigment {");
         if (capped) {
@@ -142,11 +143,11 @@ struct UvWriter {
             line(fmt::format("function {{ select(y - {0}, 0, select(y - (1 - {0}), 1, 2)) / 8 }}",
                              number(cap_margin)));
             writer.text.open("pigment_map {");
-            cap(0, base_radius, 0);
+            cap(0, base_radius);
             open_face(1);
             mantle();
             writer.text.close("]");
-            cap(2, top_radius, 1);
+            cap(2, top_radius);
             writer.text.close();
         } else {
             mantle();

@@ -42,7 +42,7 @@ struct ValidationJob {
 /// The rays that explaining may cost: the picture's own many times over, and some for pictures that
 /// cost next to nothing. In rays and not in seconds, so that the verdict depends on no clock.
 constexpr std::uint64_t rays_for_explaining(std::uint64_t of_the_picture) {
-    return 3 * of_the_picture + 3'000'000;
+    return 4 * of_the_picture + 3'000'000;
 }
 
 /// What both programs do alike: one ray through each pixel's centre, and no branch left out because

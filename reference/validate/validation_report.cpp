@@ -80,7 +80,9 @@ void add_markers(ReportEntry& entry, const Validation& v) {
             text += fmt::format("; edge at ({:.2g}, {:.2g}) pixel from the centre", p.offset.x,
                                 p.offset.y);
         }
-        if (p.pixel_class == PixelClass::known)
+        if (p.asked_again > 0)
+            text += "; POV-Ray contradicts itself: with curves cut into other pieces it agrees";
+        else if (p.pixel_class == PixelClass::known)
             text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
         entry.markers.push_back({p.x, p.y, kind, std::move(text)});
     }

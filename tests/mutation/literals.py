@@ -22,6 +22,7 @@ OTHER_FILES = {
     "differences": "finds and names what the reader should be warned of, and writes no line of the scene",
     "coincidence": "the same",
     "export": "the same",
+    "header": "comments alone",
     "window": "chooses the power of ten that lengths are multiplied by: its neighbours give the same picture",
     "choices": "numbers that may be any within wide bounds, each with its bounds",
 }

@@ -206,6 +206,30 @@ TEST(Judge, DoesNotTakeOurOwnFaultForTheOthersRule) {
     EXPECT_GT(j.count(PixelClass::unexplained), 5000u) << summary(j);
 }
 
+TEST(Judge, BelievesTheOtherProgramWhenItTakesBackWhatItSaid) {
+    const World world;
+    const Image ours = tiny::Tracer(world).render();
+    const Probe probe = tiny::probe_of(world);
+    const auto with = [&](double value) {
+        Image image = tiny::Tracer(world).render(true);
+        image.pixel(10, 10)[1] = value;
+        return image;
+    };
+    const double right = ours.pixel(10, 10)[1];
+    const auto judged = [&](std::vector<Image> again) {
+        return judge(ours, with(right + 0.05), probe, {}, {{}, {}, std::move(again)});
+    };
+    const Judgement taken_back = judged({with(right + 0.05), with(right)});
+    EXPECT_TRUE(taken_back.pass) << summary(taken_back);
+    ASSERT_EQ(taken_back.different.size(), 1u);
+    EXPECT_EQ(taken_back.different[0].pixel_class, PixelClass::known);
+    EXPECT_EQ(taken_back.different[0].asked_again, 2u);
+    EXPECT_EQ(taken_back.different[0].theirs.y, with(right + 0.05).pixel(10, 10)[1]);
+    EXPECT_FALSE(judged({}).pass);
+    EXPECT_FALSE(judged({with(right + 0.05)}).pass) << "said twice";
+    EXPECT_FALSE(judged({with(right + 0.02)}).pass) << "wrong both times";
+}
+
 /// A world's picture but for one pixel, where both programs are asked about a slope of `slope` per
 /// pixel.
 Judgement judge_slope(double slope) {
