@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ struct Thresholds {
     double rounding = 1e-4;  ///< pixels
     /// So far, in pixels, the digits that POV-Ray's solver leaves move what a ray is aimed at.
     double digits = 1e-7;
+    /// At most this share of all pixels may be specks, and so many are asked for.
+    double speck_share = 1e-4;
     /// The pictures may be shifted against each other by less than this many pixels.
     double shift = 1e-3;
 };
@@ -44,10 +47,11 @@ enum class PixelClass : std::uint8_t {
     texture,
     secondary,
     steep,        ///< explained: the last digits of the ray decide what it brings
+    speck,        ///< the other picture has our value all around the pixel's centre
     known,        ///< what the other program does otherwise by a rule of its own
     unexplained,  ///< a mistake, or not looked at for want of rays
 };
-inline constexpr std::size_t pixel_classes = 8;
+inline constexpr std::size_t pixel_classes = 9;
 std::string class_name(PixelClass pixel_class);
 
 /// A pixel over the interior threshold.
@@ -59,9 +63,6 @@ struct DifferentPixel {
     Color ours{0, 0, 0};
     Color theirs{0, 0, 0};
     Offset offset;  ///< explained: from the centre to the edge
-    /// 0, or which of SecondLook::again the other program was believed, from 1: `theirs` is of the
-    /// first time all the same.
-    std::size_t asked_again = 0;
 };
 
 struct Judgement {
@@ -94,16 +95,15 @@ struct SecondLook {
     // The picture by a recursion that is not our renderer's own.
     Probe by_rules;  ///< by the other program's rules: it gives the other program's values
     Probe without;   ///< the same recursion without them: it gives ours
-    /// The other program's pictures of the same scene in other words. Where one has another value
-    /// than `theirs` had, the program contradicts itself, and the pixel is judged by that value.
-    std::vector<Image> again{};
+    /// The other program's picture of 3 x 3 points, `pitch` pixels apart, around the centre of pixel
+    /// (x, y). Costs a run of that program.
+    std::function<Image(int x, int y, double pitch)> around{};
 };
 
 /// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
 /// `ours` at the pixels' centres. A pixel is a known difference, shown by number, when the second look
 /// has the other program's value by its rules, and ours without them: so it is the rules that make
-/// the difference, and not a fault of our recursion; or when the other program, asked again, has
-/// ours.
+/// the difference, and not a fault of our recursion.
 ///
 /// Explaining could excuse anything, so it is bounded. Rounding moves an edge by 10^-12 pixel or,
 /// where POV-Ray keeps single precision, by 10^-5: then hardly any pixel lies between the two
@@ -111,6 +111,10 @@ struct SecondLook {
 /// the same side: the count of displaced edges and the mean of the offsets show it. On what is
 /// shaded smoothly it shows as a difference along the gradient, which no edge explains, and by
 /// registration.
+///
+/// Where nothing explains a pixel, the other program is asked for what lies around its centre. When
+/// the values to both sides have ours for their mean, in two directions at least, its own picture
+/// denies the pixel: a speck, as when a solver loses a root.
 ///
 /// Explaining a pixel takes thousands of looks. Once they have cost `most_rays`, the pixels that
 /// are left count as unexplained.

@@ -48,7 +48,7 @@ inline constexpr int kept_triangles = 1;
 
 /// Pieces that each segment of a curved lathe is cut into, a power of two: the more, the fewer roots
 /// POV-Ray loses, and the longer it takes (docs/export.md, "Curved lathes").
-inline constexpr std::size_t usual_lathe_pieces = 32;
+inline constexpr std::size_t lathe_pieces = 32;
 
 /// The most levels that POV-Ray follows: it takes more for as many.
 inline constexpr int most_levels = 256;

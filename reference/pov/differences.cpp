@@ -25,7 +25,6 @@ struct Traits {
     bool absorbs = false;  ///< a body in which light fades
     bool smooth = false;   ///< a mesh whose shading normals are not its facets'
     bool patch = false;
-    bool curved_lathe = false;
 };
 
 /// Whether a plane passes through a box or touches it.
@@ -55,10 +54,6 @@ class Search {
         find_sizes();
         add(Rule::patch_facets, "POV-Ray draws a patch as flat triangles under mixed normals",
             all([](const Traits& t) { return t.patch; }));
-        add(Rule::lathe_roots,
-            "POV-Ray loses a crossing of a curved lathe on single pixels, or some of its digits; "
-            "asked again with the curve in other pieces it agrees",
-            all([](const Traits& t) { return t.curved_lathe; }));
         add(Rule::coincident_surfaces,
             "where surfaces coincide POV-Ray finds one of them by no rule; Lancer resolves them "
             "together",
@@ -84,9 +79,6 @@ class Search {
         const auto* mesh = std::get_if<MeshRef>(&object.shape);
         t.smooth = mesh != nullptr && mesh->smooth && scene_.settings.smooth;
         t.patch = std::holds_alternative<PatchRef>(object.shape);
-        const auto* lathe = std::get_if<LatheRef>(&object.shape);
-        t.curved_lathe =
-            lathe != nullptr && scene_.lathes[lathe->lathe].spline != Spline::linear;
         if (const auto own = shape_bounds(scene_, object.shape)) {
             t.bounds = moved(to_world, *own);
             t.bounds.low = window_(t.bounds.low);

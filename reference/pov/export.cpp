@@ -53,8 +53,6 @@ std::string rule_name(KnownDifference::Rule rule) {
             return "patch-facets";
         case KnownDifference::Rule::index_single:
             return "index-single";
-        case KnownDifference::Rule::lathe_roots:
-            return "lathe-roots";
     }
     return "";
 }

@@ -19,6 +19,14 @@ struct ExportView {
     int height = 480;
 };
 
+/// 3 x 3 points of a picture instead of the whole, for asking POV-Ray about one pixel.
+struct CloseUp {
+    double x = 0;  ///< of the middle one, in pixels from the left
+    double y = 0;  ///< and from the top
+    double pitch = 0;  ///< pixels
+    static constexpr int points = 3;  ///< on each side
+};
+
 struct ExportOptions {
     /// Names the scene in the header comment and begins the names of the assets. A plain file name.
     std::string name = "scene";
@@ -33,9 +41,8 @@ struct ExportOptions {
     /// Lengths are multiplied by ten to this power instead, whatever POV-Ray makes of them: for
     /// finding out where its constants begin to show.
     std::optional<int> decades{};
-    /// Each segment of a curved lathe is cut into so many pieces, a power of two, Catmull-Rom's too:
-    /// the same scene in other words, for asking POV-Ray twice where its solver errs.
-    std::optional<std::size_t> lathe_pieces{};
+    /// The camera looks at this place of the view's picture alone.
+    std::optional<CloseUp> close_up{};
 };
 
 /// A file that must stand beside the `.pov`.
@@ -60,7 +67,6 @@ struct KnownDifference {
         light_from_behind,    ///< a shadow ray on the far side starts with the viewer's media
         patch_facets,         ///< flat triangles under mixed normals
         index_single,         ///< indices of refraction in single precision
-        lathe_roots,          ///< now and then a crossing of a curved lathe is lost, or its digits
     };
     Rule rule;
     std::string explanation;  ///< one sentence: POV-Ray's rule, and ours

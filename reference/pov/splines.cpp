@@ -61,8 +61,8 @@ std::vector<Segment> halved(const std::vector<Segment>& curve) {
 
 /// POV-Ray solves an equation of the sixth degree for each piece of a lathe, and solves that of a
 /// shorter one better: docs/export.md, "Curved lathes".
-std::vector<Segment> cut_for_lathe(std::vector<Segment> curve, std::size_t pieces) {
-    const std::size_t enough = pieces * curve.size();
+std::vector<Segment> cut_for_lathe(std::vector<Segment> curve) {
+    const std::size_t enough = lathe_pieces * curve.size();
     while (curve.size() < enough) curve = halved(curve);
     return curve;
 }
@@ -85,17 +85,16 @@ std::vector<Vec2d> flattened(const std::vector<Segment>& curve, PowerOfTen own) 
 
 bool open_lathe(Writer& writer, const Lathe& lathe, PowerOfTen own) {
     const std::vector<Vec2d>& p = lathe.profile;
-    const std::optional<std::size_t> pieces = writer.options.lathe_pieces;
     std::vector<Vec2d> points;
     std::string spline = "bezier_spline";
-    if (lathe.spline == Spline::linear || (lathe.spline == Spline::catmull_rom && !pieces)) {
-        spline = lathe.spline == Spline::linear ? "linear_spline" : "cubic_spline";
+    if (lathe.spline == Spline::linear) {
+        spline = "linear_spline";
         for (const Vec2d& q : p) points.push_back(own(q));
     } else {
         const bool bezier = lathe.spline == Spline::bezier;
         const auto curve = segments(lathe.spline, bezier ? (p.size() - 1) / 3 : p.size() - 3,
                                     [&](std::size_t i) { return p[i]; });
-        points = flattened(cut_for_lathe(curve, pieces.value_or(usual_lathe_pieces)), own);
+        points = flattened(cut_for_lathe(curve), own);
     }
     write_points(writer.text, fmt::format("lathe {{ {} {},", spline, points.size()), points);
     return true;

@@ -38,12 +38,24 @@ void write_camera(Writer& writer) {
         text.line("orthographic");
         height = writer.window(std::get<OrthographicProjection>(camera.projection).height);
     }
-    text.line("location " + vector(writer.window(camera.position)));
-    text.line("direction " + vector(forward));
+    Vec3d across = right * (height * aspect);
+    Vec3d upright = up * height;
+    Vec3d location = writer.window(camera.position);
+    Vec3d direction = forward;
+    if (const auto& close = writer.options.close_up) {
+        const double x = close->x / writer.view.width - 0.5;
+        const double y = 0.5 - close->y / writer.view.height;
+        const bool perspective = std::holds_alternative<PerspectiveProjection>(camera.projection);
+        (perspective ? direction : location) += x * across + y * upright;
+        across *= close->pitch * CloseUp::points / writer.view.width;
+        upright *= close->pitch * CloseUp::points / writer.view.height;
+    }
+    text.line("location " + vector(location));
+    text.line("direction " + vector(direction));
     // POV-Ray is left-handed: a picture of our right-handed scene needs the right vector mirrored
     // against POV-Ray's default, which is what a right-handed cross product gives.
-    text.line("right " + vector(right * (height * aspect)));
-    text.line("up " + vector(up * height));
+    text.line("right " + vector(across));
+    text.line("up " + vector(upright));
     text.close();
 }
 

@@ -34,6 +34,7 @@ constexpr NumberKey number_keys[] = {
     {"tight_share", &Thresholds::tight_share, 0, 1},
     {"explained_share", &Thresholds::explained_share, 0, 1},
     {"displaced_share", &Thresholds::displaced_share, 0, 1},
+    {"speck_share", &Thresholds::speck_share, 0, 1},
     {"shift", &Thresholds::shift, 0, 1},
 };
 struct CountKey {

@@ -64,7 +64,7 @@ bool take_export(Validation& result, const ValidationJob& job, ExportResult& exp
 }
 
 void judge_pictures(Validation& result, const OurPicture& ours, const PovRayRules& rules,
-                    const std::vector<Image>& again) {
+                    const std::function<Image(int, int, double)>& around) {
     CompareOptions options;
     options.fail = result.thresholds.interior;
     options.fail_percent = 100;  // the judgement decides, not this
@@ -82,7 +82,7 @@ void judge_pictures(Validation& result, const OurPicture& ours, const PovRayRule
         second.by_rules = exposed(ours.by_rules(rules), result.exposure);
         second.without = exposed(ours.by_rules(none), result.exposure);
     }
-    second.again = again;
+    second.around = around;
     result.judgement = judge(result.ours, result.theirs, exposed(ours.probe, result.exposure),
                              result.thresholds, second, rays_for_explaining(ours.rays));
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
@@ -108,22 +108,14 @@ void validate(Validation& result, const ValidationJob& job, const OurRenderer& r
     result.from_cache = picture.from_cache;
     result.pov_command = picture.command;
     result.theirs = std::move(picture.image);
-    std::vector<Image> again;
-    judge_pictures(result, ours, exported.rules, again);
-
-    // What its solver loses of a curve depends on how the curve is cut.
-    const bool may_lose = std::ranges::any_of(result.known_differences, [](const auto& known) {
-        return known.rule == KnownDifference::Rule::lathe_roots;
-    });
-    for (const std::size_t pieces : {64, 16}) {
-        if (!may_lose || result.judgement.count(PixelClass::unexplained) == 0) break;
-        export_options.lathe_pieces = pieces;
-        ExportResult other = export_pov(*job.scene, job.view, export_options);
-        const PovJob other_job{job.name, std::move(other.text), std::move(other.assets),
-                               job.view.width, job.view.height};
-        again.push_back(run_povray(povray, other_job, options).image);
-        judge_pictures(result, ours, exported.rules, again);
-    }
+    const auto around = [&](int x, int y, double pitch) {
+        export_options.close_up = CloseUp{x + 0.5, y + 0.5, pitch};
+        ExportResult close = export_pov(*job.scene, job.view, export_options);
+        const PovJob close_job{job.name, std::move(close.text), std::move(close.assets),
+                               CloseUp::points, CloseUp::points};
+        return run_povray(povray, close_job, options).image;
+    };
+    judge_pictures(result, ours, exported.rules, around);
 }
 
 }  // namespace

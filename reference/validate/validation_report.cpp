@@ -39,6 +39,9 @@ void add_measures(ReportEntry& entry, const Validation& v) {
         "≤ " + percent(t.displaced_share), within(j.displaced, t.displaced_share));
     add("Known differences, shown by POV-Ray's rule", std::to_string(j.count(PixelClass::known)),
         "", true);
+    add("Specks, which POV-Ray's own picture denies",
+        fmt::format("{} of {}", j.count(PixelClass::speck), j.pixels),
+        "≤ " + percent(t.speck_share), true);
     if (j.picture_shift.count > 0) {
         add("Shift of the picture, pixels",
             fmt::format("{} ± {}", shown(j.picture_shift.length(), 2),
@@ -80,9 +83,9 @@ void add_markers(ReportEntry& entry, const Validation& v) {
             text += fmt::format("; edge at ({:.2g}, {:.2g}) pixel from the centre", p.offset.x,
                                 p.offset.y);
         }
-        if (p.asked_again > 0)
-            text += "; POV-Ray contradicts itself: with curves cut into other pieces it agrees";
-        else if (p.pixel_class == PixelClass::known)
+        if (p.pixel_class == PixelClass::speck)
+            text += "; POV-Ray has our value around it";
+        if (p.pixel_class == PixelClass::known)
             text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
         entry.markers.push_back({p.x, p.y, kind, std::move(text)});
     }
@@ -143,7 +146,7 @@ ReportEntry report_entry(const Validation& v) {
         const auto seconds = [](double value) { return fmt::format("{:.2f} s", value); };
         entry.cells = {shown(v.judgement.interior_max, 2),
                        fmt::format("{:.3f} %", v.judgement.tight_share * 100),
-                       std::to_string(v.judgement.explained),
+                       std::to_string(v.judgement.explained + v.judgement.count(PixelClass::speck)),
                        std::to_string(v.judgement.count(PixelClass::known)),
                        std::to_string(v.judgement.count(PixelClass::unexplained)),
                        seconds(v.our_seconds),
@@ -186,21 +189,19 @@ Report validation_report(const PovRay& povray, const std::string& lancer_version
          "65535. Half a step is 7.6e-6."},
         {"Judgement",
          fmt::format(
-             "A pixel whose largest channel differs by more than {} must be explained: an edge "
-             "of "
+             "A pixel whose largest channel differs by more than {} must be explained: an edge of "
              "geometry, shadow or texture must pass its centre within {:g} pixel, and beyond it "
-             "our own "
-             "picture must take POV-Ray's value; or POV-Ray does otherwise by a rule, and our "
-             "renderer, following POV-Ray's rules, must give its value. Explaining is bounded: at "
-             "most {:g} % of the edge "
-             "pixels, "
-             "at most {:g} % by edges that are off by more than {} pixel, no shift between the "
-             "pictures, no common direction of the offsets. Everything else is unexplained, and "
-             "fails. Of "
-             "the pixels away from edges {:g} % must agree within {}.",
+             "our own picture must take POV-Ray's value; or POV-Ray does otherwise by a rule: then "
+             "a second recursion must give POV-Ray's value by its rules, and ours without them; or "
+             "POV-Ray must deny its own value by what it shows to both sides of the pixel's "
+             "centre. Explaining is bounded: at most {:g} % of the edge pixels, at most {:g} % by "
+             "edges that are off by more than {} pixel, at most {:g} % of all pixels by denials, "
+             "no shift between the pictures, no common direction of the offsets. Everything else "
+             "is unexplained, and fails. Of the pixels away from edges {:g} % must agree within "
+             "{}.",
              shown(defaults.interior), defaults.radius, defaults.explained_share * 100,
-             defaults.displaced_share * 100, shown(defaults.rounding), defaults.tight_share * 100,
-             shown(defaults.tight))},
+             defaults.displaced_share * 100, shown(defaults.rounding), defaults.speck_share * 100,
+             defaults.tight_share * 100, shown(defaults.tight))},
     };
     return report;
 }

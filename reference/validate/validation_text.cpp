@@ -19,7 +19,8 @@ std::string table_row(const Validation& v, std::size_t name_width) {
     if (v.comparison.comparable) {
         const Judgement& j = v.judgement;
         row += fmt::format(" {:>9.2g} {:>7.3f} % {:>9} {:>11} {:>6}", j.interior_max,
-                           j.tight_share * 100, j.explained, j.count(PixelClass::unexplained),
+                           j.tight_share * 100, j.explained + j.count(PixelClass::speck),
+                           j.count(PixelClass::unexplained),
                            j.count(PixelClass::known));
         row += fmt::format(" {:>5.2f} s {:>7.2f} s{}", v.our_seconds, v.pov_seconds,
                            v.from_cache ? " (kept)" : "");
@@ -60,6 +61,7 @@ nlohmann::ordered_json scene_json(const Validation& v) {
                          {"reflected_edge", j.count(PixelClass::secondary)},
                          {"steep", j.count(PixelClass::steep)},
                          {"displaced", j.displaced}};
+    json["specks"] = j.count(PixelClass::speck);
     json["known"] = j.count(PixelClass::known);
     json["not_looked_at"] = j.not_looked_at;
     json["explaining_rays"] = j.rays;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "tests/reference/tiny_tracer.h"
@@ -206,28 +207,42 @@ TEST(Judge, DoesNotTakeOurOwnFaultForTheOthersRule) {
     EXPECT_GT(j.count(PixelClass::unexplained), 5000u) << summary(j);
 }
 
-TEST(Judge, BelievesTheOtherProgramWhenItTakesBackWhatItSaid) {
+/// Our picture, theirs with one pixel that is brighter by 0.05, and theirs around that pixel, from
+/// the upper left, brighter by so much.
+Judgement judge_speck(const std::array<double, 9>& brighter, int specks = 1) {
     const World world;
     const Image ours = tiny::Tracer(world).render();
-    const Probe probe = tiny::probe_of(world);
-    const auto with = [&](double value) {
-        Image image = tiny::Tracer(world).render(true);
-        image.pixel(10, 10)[1] = value;
+    Image theirs = tiny::Tracer(world).render(true);
+    for (int i = 0; i < specks; ++i) theirs.pixel(10 + i, 10)[1] = ours.pixel(10 + i, 10)[1] + 0.05;
+    const auto around = [&](int x, int y, double) {
+        Image image(3, 3);
+        for (int i = 0; i < 9; ++i)
+            for (int c = 0; c < 3; ++c)
+                image.pixel(i % 3, i / 3)[c] =
+                    ours.pixel(x, y)[c] + brighter[static_cast<std::size_t>(i)];
         return image;
     };
-    const double right = ours.pixel(10, 10)[1];
-    const auto judged = [&](std::vector<Image> again) {
-        return judge(ours, with(right + 0.05), probe, {}, {{}, {}, std::move(again)});
-    };
-    const Judgement taken_back = judged({with(right + 0.05), with(right)});
-    EXPECT_TRUE(taken_back.pass) << summary(taken_back);
-    ASSERT_EQ(taken_back.different.size(), 1u);
-    EXPECT_EQ(taken_back.different[0].pixel_class, PixelClass::known);
-    EXPECT_EQ(taken_back.different[0].asked_again, 2u);
-    EXPECT_EQ(taken_back.different[0].theirs.y, with(right + 0.05).pixel(10, 10)[1]);
-    EXPECT_FALSE(judged({}).pass);
-    EXPECT_FALSE(judged({with(right + 0.05)}).pass) << "said twice";
-    EXPECT_FALSE(judged({with(right + 0.02)}).pass) << "wrong both times";
+    return judge(ours, theirs, tiny::probe_of(world), {}, {{}, {}, around});
+}
+
+TEST(Judge, BelievesTheOtherPictureAroundAPixelMoreThanInIt) {
+    const Judgement speck = judge_speck({0, 0, 0, 0, 0.05, 0, 0, 0, 0});
+    EXPECT_TRUE(speck.pass) << summary(speck);
+    EXPECT_EQ(speck.count(PixelClass::speck), 1u);
+    EXPECT_TRUE(judge_speck({-0.2, -0.2, -0.2, 0, 0.05, 0, 0.2, 0.2, 0.2}).pass) << "on a slope";
+    EXPECT_TRUE(judge_speck({0.05, 0, 0, 0, 0.05, 0, 0, 0, 0.05}).pass) << "on a streak";
+    const double b = 0.05;
+    EXPECT_FALSE(judge_speck({b, b, b, b, b, b, b, b, b}).pass) << "it means it";
+    EXPECT_FALSE(judge_speck({b, b, b, 0, b, 0, b, b, b}).pass) << "one pair is not enough";
+    EXPECT_FALSE(judge_speck({0, 0, 0, 0, b, b, b, b, b}).pass) << "an edge of theirs";
+    const double other = 0.02;
+    EXPECT_FALSE(judge_speck({other, other, other, other, b, other, other, other, other}).pass);
+}
+
+TEST(Judge, AllowsFewSpecks) {
+    const Judgement many = judge_speck({0, 0, 0, 0, 0.05, 0, 0, 0, 0}, 20);
+    EXPECT_FALSE(many.pass);
+    EXPECT_EQ(many.count(PixelClass::speck), many.pixels / 10000) << summary(many);
 }
 
 /// A world's picture but for one pixel, where both programs are asked about a slope of `slope` per
