@@ -84,7 +84,7 @@ template <class Real>
 void set_position(Surface<Real>& s, const VectorSum<Real>& place, const Vec3<Real>& rest) {
     s.position = place.hi;
     s.position_lo = place.lo;
-    if (rest == Vec3<Real>(0)) return;
+    if (rest == Vec3<Real>{}) return;
     const VectorSum<Real> sum = normalized(place.hi, place.lo + rest);
     s.position = sum.hi;
     s.position_lo = sum.lo;

@@ -42,7 +42,7 @@ class Whitted {
         RayCounts& counts = lighting_.counts;
         Vec3<Real> result(0);
         Vec3<Real> through(1);  // what the surfaces and media on the way let pass
-        int straight_passes = 0;
+        int straight_passes{};
         while (is_followed(world_, weight, level)) {
             Contact<Real> contact = met_at_once(world_, ray, left, media.bodies);
             const bool at_once = !contact.empty();
@@ -156,7 +156,7 @@ class Whitted {
             }
             Vec3<Real> mirror = s.finish->reflection;
             if (s.finish->fresnel) {
-                mirror = fresnel_done ? Vec3<Real>(0) : mirror * fresnel(s, c);
+                mirror = fresnel_done ? Vec3<Real>{} : mirror * fresnel(s, c);
                 fresnel_done = true;
             }
             const Real mirror_weight = weight * share.weight * max_component(mirror);
@@ -192,7 +192,7 @@ class Whitted {
         return absorbed(medium->absorption, to - from);
     }
     Vec3<Real> passed_forever(const Media& media) const {
-        return absorbed_between(media, 0, std::numeric_limits<Real>::infinity());
+        return absorbed_between(media, {}, std::numeric_limits<Real>::infinity());
     }
 
     const World<Real>& world_;

@@ -37,12 +37,12 @@ int wrapped(Real whole, int size, ImageTexture::Wrap wrap) {
     return inside < n ? static_cast<int>(inside) : size - 1;
 }
 
-/// A texel, its row counted from the bottom: red, green, blue, alpha.
+/// A texel, its row counted from the bottom: red, green, blue, and alpha where there is one.
 template <class Real>
 std::array<Real, 4> texel(const Image& image, int column, int row_up) {
     const double* p = image.pixel(column, image.height - 1 - row_up);
     return {static_cast<Real>(p[0]), static_cast<Real>(p[1]), static_cast<Real>(p[2]),
-            image.channels > 3 ? static_cast<Real>(p[3]) : Real(1)};
+            image.channels > 3 ? static_cast<Real>(p[3]) : Real{}};
 }
 
 /// Linear in both directions between the centres of the four nearest texels. Alpha is treated as a

@@ -26,7 +26,7 @@ Real whole_part(Real x, Real bound) {
 template <class Real>
 struct Placement {
     Affine<Real> map;
-    Vec3<Real> bound{0};  ///< what the rounding of the primitive's own place adds
+    Vec3<Real> bound{};  ///< what the rounding of the primitive's own place adds
 };
 
 template <class Real>
