@@ -34,7 +34,9 @@ MOST = 4096  # literals
 SWITCH = """// Which literal is changed, and which were looked at.
 #pragma once
 @PRAGMAS@
+#ifndef FMT_CONSTEVAL
 #define FMT_CONSTEVAL  // format strings are chosen at run time
+#endif
 #include <cstdio>
 #include <cstdlib>
 namespace mutant {

@@ -275,5 +275,30 @@ TEST_F(Equivalents, ExposureMultipliesThePicture) {
     EXPECT_LE(difference(half, whole, 0).largest, 1.0 / 65535);
 }
 
+// Points a pixel apart are the picture's own pixels.
+TEST_F(Equivalents, ACloseUpIsAPartOfThePicture) {
+    Scene scene = empty_scene();
+    Material matt;
+    matt.diffuse = 0.9;
+    add_object(scene, Sphere{{0.2, 0.1, 0}, 1.3}, add_material(scene, matt));
+    const ExportView view{0, 64, 48};
+    for (const bool orthographic : {false, true}) {
+        SCOPED_TRACE(orthographic ? "orthographic" : "perspective");
+        if (orthographic) scene.cameras[0].projection = OrthographicProjection{3};
+        const Image whole = rendered(scene, view);
+        constexpr int x = 25;
+        constexpr int y = 27;
+        ExportOptions options;
+        options.close_up = CloseUp{x + 0.5, y + 0.5, 1};
+        const Image close = rendered(export_pov(scene, view, options), {0, 3, 3});
+        Image part(3, 3);
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i)
+                std::copy_n(whole.pixel(x - 1 + i, y - 1 + j), 3, part.pixel(i, j));
+        EXPECT_LE(difference(close, part, 0).largest, 1.0 / 65535);
+        EXPECT_GT(std::abs(part.pixel(0, 2)[0] - part.pixel(2, 0)[0]), 0.01) << "nothing to see";
+    }
+}
+
 }  // namespace
 }  // namespace lancer::reference
