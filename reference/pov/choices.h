@@ -46,9 +46,9 @@ inline int halvings_for(const std::vector<std::size_t>& patches) {
 /// A patch's `type`: POV-Ray keeps the triangles (1) or makes the same ones anew for each ray (0).
 inline constexpr int kept_triangles = 1;
 
-/// Pieces that each segment of a curved lathe is cut into, a power of two: the more, the fewer roots
-/// POV-Ray loses, and the longer it takes (docs/export.md, "Curved lathes").
-inline constexpr std::size_t lathe_pieces = 32;
+/// Pieces that each segment of a curved lathe is cut into, a power of two. POV-Ray loses roots of
+/// long ones and digits of short ones (docs/export.md, "Curved lathes"): 2 to 8 do alike.
+inline constexpr std::size_t lathe_pieces = 4;
 
 /// The most levels that POV-Ray follows: it takes more for as many.
 inline constexpr int most_levels = 256;
