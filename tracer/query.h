@@ -76,11 +76,11 @@ class Acceptance {
         const Primitive<Real>& p = world_.primitives[primitive];
         const Real ahead = c.t - start_.t;
         if (ahead < -c.error) return false;
-        const bool left = leaves(primitive);
-        if (left && repeats(p, primitive, c)) return false;
+        const bool touched = starts_on(primitive);
+        if (touched && repeats(p, primitive, c)) return false;
         if (is_medium(p)) return contains_here(primitive) != c.entering;
         if (ahead > c.error) return true;
-        return p.body && c.entering && !left && c.chord > 4 * c.error;  // enters a wall
+        return p.body && c.entering && !touched && c.chord > 4 * c.error;  // enters a wall
     }
 
     /// Where a crossing that counts is met: at the start when rounding put it before.
@@ -90,14 +90,14 @@ class Acceptance {
     static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
 
     /// Whether the ray starts on the primitive, or passed straight through it just now.
-    bool leaves(std::uint32_t primitive) const {
+    bool starts_on(std::uint32_t primitive) const {
         for (const SurfaceId& s : start_.surfaces) {
             if (s.primitive == primitive) return true;
         }
         return false;
     }
 
-    /// Whether a crossing with what the ray leaves is one that it has behind it.
+    /// Whether a crossing with what the ray starts on is one that it has behind it.
     [[gnu::noinline]] bool repeats(const Primitive<Real>& p, std::uint32_t primitive,
                                    const Crossing<Real>& c) const {
         for (const SurfaceId& s : start_.surfaces) {

@@ -368,6 +368,8 @@ class Solids {
                 for (std::size_t k = 0; k < 16; ++k)
                     home.points[k] =
                         convert<Real>(scaled(map_point(to_world, from[k]), world_.scale_exponent));
+                for (const Vec3<Real>& p : home.points)
+                    surface->reach = std::max(surface->reach, max_component(absolute(p)));
                 home.column = static_cast<Real>(j);
                 home.row = static_cast<Real>(i);
                 surface->homes.push_back(home);
