@@ -86,9 +86,6 @@ class Acceptance {
     /// Where a crossing that counts is met: at the start when rounding put it before.
     Real met_at(const Crossing<Real>& c) const { return c.t < start_.t ? start_.t : c.t; }
 
-  private:
-    static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
-
     /// Whether the ray starts on the primitive, or passed straight through it just now.
     bool starts_on(std::uint32_t primitive) const {
         for (const SurfaceId& s : start_.surfaces) {
@@ -96,6 +93,9 @@ class Acceptance {
         }
         return false;
     }
+
+  private:
+    static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
 
     /// Whether a crossing with what the ray starts on is one that it has behind it.
     [[gnu::noinline]] bool repeats(const Primitive<Real>& p, std::uint32_t primitive,

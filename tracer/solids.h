@@ -235,7 +235,7 @@ class Solids {
         f.placed = placed;
         f.small_end = small;
         f.large_end = large;
-        f.plain_error = plain_error_of(small);
+        f.plain_error = f.placed + plain_error_of(small);
         const Vec3<Real> along = large - small;
         const Real longest = max_component(absolute(along));
         const Vec3<Real> short_axis = along / longest;

@@ -13,21 +13,30 @@ struct HalfSpace {
     Real plain_error = placed + plain_error_of(point);  ///< of `point` in a plain difference
 };
 
-/// Whether the line crosses the plane behind its start or after the stretch for certain, told from
-/// the plain difference of places and without a division. See misses() of the ball.
+/// Whether the plain difference of places tells all that the query wants to know. See misses() of
+/// the ball.
 ///
 /// \param slope  dot(normal, dir): of two unit vectors, so it errs by less than 8 u
 template <class Real, class Last>
-bool misses(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
-            const Stretch<Real, Last>& stretch) {
+bool is_settled(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope, const Known& known,
+                const Stretch<Real, Last>& stretch) {
     using std::abs;
     const Real noise = 2 * (ray.plain_error + half.plain_error);
     const Real height = dot(half.normal, ray.origin - half.point);
     const Real ahead = slope < 0 ? height : -height;  // t |slope|
     const Real steep = abs(slope);
     if (!(steep > gamma<Real>(64))) return false;
-    return (stretch.first >= 0 && ahead < -noise) ||
-           ahead - noise > (1 + gamma<Real>(8)) * stretch.last() * (steep + gamma<Real>(8));
+    // The crossing lies behind the start or after the stretch for certain.
+    if (stretch.first >= 0 && ahead < -noise) return true;
+    if (ahead - noise > (1 + gamma<Real>(8)) * stretch.last() * (steep + gamma<Real>(8)))
+        return true;
+    if (!stretch.may_settle || !known.asks_about(slope < 0)) return false;
+    // By crossing(), |slope| times the bound is at most noise / 2 + 7 u |t|, and the heights differ
+    // by half of the noise.
+    const Real inv = 1 / steep;
+    const Real t = ahead * inv;
+    const Real slack = (5 * noise + gamma<Real>(64) * abs(t)) * inv;
+    return stretch.settles(t - slack, t + slack);
 }
 
 /// The one crossing, where it may matter.
@@ -57,7 +66,7 @@ void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& k
                const Stretch<Real, Last>& stretch, Report&& report) {
     if (known.start_face != none) return;  // a line meets a plane once
     const Real slope = dot(half.normal, ray.dir);
-    if (slope == 0 || misses(half, ray, slope, stretch)) return;
+    if (slope == 0 || is_settled(half, ray, slope, known, stretch)) return;
     crossing(half, ray, slope, stretch, report);
 }
 

@@ -22,6 +22,7 @@ class Acceptance<Real, Bodies> {
     Known known(std::uint32_t) const { return {}; }
     bool operator()(std::uint32_t, const Crossing<Real>& c) const { return c.t > nearest_; }
     Real met_at(const Crossing<Real>& c) const { return c.t; }
+    bool starts_on(std::uint32_t) const { return false; }
 
   private:
     Real nearest_;
