@@ -83,6 +83,12 @@ class Acceptance {
         return p.body && c.entering && !touched && c.chord > 4 * c.error;  // enters a wall
     }
 
+    /// Whether a crossing in this sense counts when it lies ahead by more than its error and the
+    /// ray does not start on the primitive.
+    bool lets_pass(std::uint32_t primitive, bool entering) const {
+        return !is_medium(world_.primitives[primitive]) || contains_here(primitive) != entering;
+    }
+
     /// Where a crossing that counts is met: at the start when rounding put it before.
     Real met_at(const Crossing<Real>& c) const { return c.t < start_.t ? start_.t : c.t; }
 
@@ -170,14 +176,17 @@ void primitive_crossings(const World<Real>& world, const Primitive<Real>& primit
                         stretch, report);
 }
 
-/// Visits every primitive that the ray may meet on the stretch: visit(index) returns true to stop.
+/// What is in no tree: primitives[bounded..].
+template <class Real>
+const HalfSpace<Real>& plane_of(const World<Real>& world, std::uint32_t primitive) {
+    return *std::get_if<HalfSpace<Real>>(&world.primitives[primitive].solid);
+}
+
+/// Visits every primitive of the tree that the ray may meet on the stretch: visit(index) returns
+/// true to stop.
 template <class Real, class Last, class Visit>
 void candidates(const World<Real>& world, const Ray<Real>& ray, const Stretch<Real, Last>& stretch,
                 Visit&& visit) {
-    const auto end = static_cast<std::uint32_t>(world.primitives.size());
-    for (std::uint32_t i = world.bounded; i < end; ++i) {
-        if (visit(i)) return;
-    }
     traverse(world.bvh, ray, stretch.first, stretch.last,
              [&](std::uint32_t first, std::uint32_t count) {
                  for (std::uint32_t i = first; i < first + count; ++i) {
@@ -252,6 +261,48 @@ void order_contact(const World<Real>& world, Contact<Real>& contact) {
 /// Which objects a query sees: all, or those that cast shadows.
 enum class Shadows { ignore, cast };
 
+/// Reports the crossings with those planes that may be the nearest: report(primitive, crossing).
+///
+/// Plain numbers tell which come first, eight planes at a time, before any crossing is formed: of a
+/// room's walls three lie ahead. A plane bounds how far the contact reaches where its crossing is
+/// sure to count.
+///
+/// \param sees  whether the query sees a primitive
+template <class Real, class Bodies, class Last, class Sees, class Report>
+[[gnu::always_inline]] inline void nearest_planes(const World<Real>& world, const Ray<Real>& ray,
+                                                  const Start<Real>& start,
+                                                  const Acceptance<Real, Bodies>& accept,
+                                                  const Stretch<Real, Last>& stretch,
+                                                  const Sees& sees, const Report& report) {
+    struct Waiting {
+        std::uint32_t primitive;
+        Real slope;
+        Real low;
+    };
+    std::array<Waiting, 8> waiting;
+    Real limit = std::numeric_limits<Real>::infinity();
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end;) {
+        std::size_t count = 0;
+        for (; i < end && count < waiting.size(); ++i) {
+            const PlaneGuess<Real> guess(plane_of(world, i), ray);
+            if (guess.slope == 0 || guess.low > limit || guess.high < stretch.first) continue;
+            const bool touched = accept.starts_on(i);
+            if (!sees(i) || (touched && start.fresh)) continue;  // a line meets a plane once
+            waiting[count++] = {i, guess.slope, guess.low};
+            if (guess.high < limit && guess.low > start.t && !touched &&
+                accept.lets_pass(i, guess.slope < 0))
+                limit = guess.high;
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const Waiting& w = waiting[k];
+            if (w.low > limit) continue;
+            const auto report_it = [&](const Crossing<Real>& c) { report(w.primitive, c); };
+            crossing(plane_of(world, w.primitive), ray, w.slope, stretch, report_it);
+        }
+    }
+}
+
 /// Everything that the ray meets first, the nearest hit in front. Empty: it leaves the scene.
 template <class Real, class Bodies>
 Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
@@ -264,12 +315,19 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     // A body that the ray is in may be left a rounding before the start.
     const Real first = start.t - abs(start.t) * gamma<Real>(32);
     const Stretch<Real, decltype(limit)> stretch{first, limit};
+    const auto sees = [&](std::uint32_t index) {
+        return index != start.left &&
+               (shadows == Shadows::ignore || world.primitives[index].casts_shadow);
+    };
+    nearest_planes(world, ray, start, accept, stretch, sees,
+                   [&](std::uint32_t index, const Crossing<Real>& c) {
+                       if (accept(index, c))
+                           found.add({accept.met_at(c), c.error, {index, c.face, c.entering}});
+                   });
     candidates(world, ray, stretch, [&](std::uint32_t index) {
-        if (index == start.left) return false;
-        const Primitive<Real>& p = world.primitives[index];
-        if (shadows == Shadows::cast && !p.casts_shadow) return false;
+        if (!sees(index)) return false;
         primitive_crossings(
-            world, p, ray, accept.known(index), stretch,
+            world, world.primitives[index], ray, accept.known(index), stretch,
             [&](const Crossing<Real>& c, Real u, Real v) {
                 if (accept(index, c))
                     found.add({accept.met_at(c), c.error, {index, c.face, c.entering}, u, v});

@@ -39,6 +39,24 @@ struct WayToLight {
     }
 };
 
+/// Reports the crossings with planes that plain numbers do not settle, until one blocks the way.
+///
+/// \param is_seen  called with the primitive before it is asked about
+template <class Real, class Bodies, class Last, class Sees, class Report>
+[[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
+                                                     const Acceptance<Real, Bodies>& accept,
+                                                     const Stretch<Real, Last>& stretch,
+                                                     const Sees& is_seen, const Report& report) {
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end; ++i) {
+        const PlaneGuess<Real> guess(plane_of(world, i), ray);
+        if (stretch.ends_before(guess.low) || guess.high < stretch.first || !is_seen(i)) continue;
+        if (!accept.lets_pass(i, guess.slope < 0) || !stretch.settles(guess.low, guess.high))
+            crossings(plane_of(world, i), ray, accept.known(i), stretch, report);
+        if (stretch.last.survey.way == Way::blocked) return;
+    }
+}
+
 /// Looks once along the way to the light: an opaque surface ends it; whether something transmissive
 /// lies there is only noted.
 template <class Real, class Bodies>
@@ -48,20 +66,24 @@ Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const 
     Survey<Real, Bodies> survey{world, accept, start, distance};
     const WayToLight<Real, Bodies> limit{survey};
     const Stretch<Real, WayToLight<Real, Bodies>> stretch{Real(0), limit};
-    candidates(world, ray, stretch, [&](std::uint32_t index) {
-        const Primitive<Real>& p = world.primitives[index];
-        if (!p.casts_shadow || index == start.left) return false;
+    const auto report = [&](const Crossing<Real>& c) {
+        if (survey.only_filters()) {
+            if (c.t >= -c.error && c.t < distance) survey.way = Way::filtered;
+        } else if (accept(survey.at, c) && c.t < distance - c.error) {
+            survey.way = Way::blocked;
+        }
+        return survey.way == Way::blocked;
+    };
+    const auto is_seen = [&](std::uint32_t index) {
         survey.at = index;
-        primitive_crossings(world, p, ray, accept.known(index), stretch,
-                            [&](const Crossing<Real>& c, Real, Real) {
-                                if (survey.only_filters()) {
-                                    if (c.t >= -c.error && c.t < distance)
-                                        survey.way = Way::filtered;
-                                } else if (accept(index, c) && c.t < distance - c.error) {
-                                    survey.way = Way::blocked;
-                                }
-                                return survey.way == Way::blocked;
-                            });
+        return world.primitives[index].casts_shadow && index != start.left;
+    };
+    planes_on_the_way(world, ray, accept, stretch, is_seen, report);
+    if (survey.way == Way::blocked) return Way::blocked;
+    candidates(world, ray, stretch, [&](std::uint32_t index) {
+        if (!is_seen(index)) return false;
+        primitive_crossings(world, world.primitives[index], ray, accept.known(index), stretch,
+                            [&](const Crossing<Real>& c, Real, Real) { return report(c); });
         return survey.way == Way::blocked;
     });
     return survey.way;

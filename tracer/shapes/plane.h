@@ -13,36 +13,32 @@ struct HalfSpace {
     Real plain_error = placed + plain_error_of(point);  ///< of `point` in a plain difference
 };
 
-/// Whether the plain difference of places tells all that the query wants to know. See misses() of
-/// the ball.
-///
-/// \param slope  dot(normal, dir): of two unit vectors, so it errs by less than 8 u
-template <class Real, class Last>
-bool is_settled(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope, const Known& known,
-                const Stretch<Real, Last>& stretch) {
-    using std::abs;
-    const Real noise = 2 * (ray.plain_error + half.plain_error);
-    const Real height = dot(half.normal, ray.origin - half.point);
-    const Real ahead = slope < 0 ? height : -height;  // t |slope|
-    const Real steep = abs(slope);
-    if (!(steep > gamma<Real>(64))) return false;
-    // The crossing lies behind the start or after the stretch for certain.
-    if (stretch.first >= 0 && ahead < -noise) return true;
-    if (ahead - noise > (1 + gamma<Real>(8)) * stretch.last() * (steep + gamma<Real>(8)))
-        return true;
-    if (!stretch.may_settle || !known.asks_about(slope < 0)) return false;
-    // By crossing(), |slope| times the bound is at most noise / 2 + 7 u |t|, and the heights differ
-    // by half of the noise.
-    const Real inv = 1 / steep;
-    const Real t = ahead * inv;
-    const Real slack = (5 * noise + gamma<Real>(64) * abs(t)) * inv;
-    return stretch.settles(t - slack, t + slack);
-}
+/// Where a line crosses a plane, by the plain difference of places: crossing() finds it between
+/// `low` and `high`, with eight times its error bound on either side. A filter: see is_settled() of
+/// the ball. Numbers that are not tell nothing.
+template <class Real>
+struct PlaneGuess {
+    Real slope;  ///< dot(normal, dir)
+    Real low, high;
+
+    /// The heights by plain and by exact differences lie half of `noise` apart, and by crossing()
+    /// |slope| times the bound is at most that and 7 u |t|.
+    PlaneGuess(const HalfSpace<Real>& half, const Ray<Real>& ray)
+        : slope(dot(half.normal, ray.dir)) {
+        using std::abs;
+        const Real noise = 2 * (ray.plain_error + half.plain_error);
+        const Real inv = 1 / slope;
+        const Real t = -dot(half.normal, ray.origin - half.point) * inv;
+        const Real slack = (5 * noise + gamma<Real>(64) * abs(t)) * abs(inv);
+        low = t - slack;
+        high = t + slack;
+    }
+};
 
 /// The one crossing, where it may matter.
 template <class Real, class Last, class Report>
-[[gnu::noinline]] void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
-                                const Stretch<Real, Last>& stretch, Report& report) {
+void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
+              const Stretch<Real, Last>& stretch, Report& report) {
     using std::abs;
     const Vec3<Real> rel = start_from(ray, half.point);
     const Real height = dot(half.normal, rel);
@@ -62,12 +58,12 @@ template <class Real, class Last, class Report>
 }
 
 template <class Real, class Last, class Report>
-void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+[[gnu::noinline]] void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray,
+                                 const Known& known, const Stretch<Real, Last>& stretch,
+                                 Report&& report) {
     if (known.start_face != none) return;  // a line meets a plane once
     const Real slope = dot(half.normal, ray.dir);
-    if (slope == 0 || is_settled(half, ray, slope, known, stretch)) return;
-    crossing(half, ray, slope, stretch, report);
+    if (slope != 0) crossing(half, ray, slope, stretch, report);
 }
 
 /// The crossing's point, put back onto the plane.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tests/bench/kernels/textbook_shapes.h"
-#include "tracer/query.h"
+#include "tracer/shadow.h"
 
 namespace lancer {
 
@@ -12,6 +12,34 @@ namespace lancer {
 template <methods::Tree Real>
 Four<Real> widened_far(const Four<Real>& far) {
     return far;
+}
+
+// One plane after the other: a textbook's crossing costs no more than a filter.
+
+template <methods::Shapes Real, class Bodies, class Last, class Sees, class Report>
+[[gnu::always_inline]] inline void nearest_planes(const World<Real>& world, const Ray<Real>& ray,
+                                                  const Start<Real>&,
+                                                  const Acceptance<Real, Bodies>& accept,
+                                                  const Stretch<Real, Last>& stretch,
+                                                  const Sees& sees, const Report& report) {
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end; ++i) {
+        if (sees(i))
+            crossings(plane_of(world, i), ray, accept.known(i), stretch,
+                      [&](const Crossing<Real>& c) { report(i, c); });
+    }
+}
+
+template <methods::Shapes Real, class Bodies, class Last, class Sees, class Report>
+[[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
+                                                     const Acceptance<Real, Bodies>& accept,
+                                                     const Stretch<Real, Last>& stretch,
+                                                     const Sees& is_seen, const Report& report) {
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end; ++i) {
+        if (is_seen(i)) crossings(plane_of(world, i), ray, accept.known(i), stretch, report);
+        if (stretch.last.survey.way == Way::blocked) return;
+    }
 }
 
 template <methods::Contacts Real, class Bodies>
@@ -23,6 +51,7 @@ class Acceptance<Real, Bodies> {
     bool operator()(std::uint32_t, const Crossing<Real>& c) const { return c.t > nearest_; }
     Real met_at(const Crossing<Real>& c) const { return c.t; }
     bool starts_on(std::uint32_t) const { return false; }
+    bool lets_pass(std::uint32_t, bool) const { return true; }
 
   private:
     Real nearest_;
