@@ -53,11 +53,15 @@ template <class Real, class Bodies>
 class Acceptance {
   public:
     Acceptance(const World<Real>& world, const Start<Real>& start, const Bodies& bodies)
-        : world_(world), start_(start), bodies_(bodies) {}
+        : world_(world), start_(start), bodies_(bodies) {
+        if (start.surfaces.empty()) return;
+        touched_ = start.surfaces.front().primitive;
+        touches_more_ = start.surfaces.size() > 1;
+    }
 
     Known known(std::uint32_t primitive) const {
         Known k;
-        if (start_.fresh) {
+        if (may_touch(primitive) && start_.fresh) {
             for (const SurfaceId& s : start_.surfaces) {
                 if (s.primitive == primitive) k.start_face = s.face;
             }
@@ -94,6 +98,7 @@ class Acceptance {
 
     /// Whether the ray starts on the primitive, or passed straight through it just now.
     bool starts_on(std::uint32_t primitive) const {
+        if (!may_touch(primitive)) return false;
         for (const SurfaceId& s : start_.surfaces) {
             if (s.primitive == primitive) return true;
         }
@@ -102,6 +107,9 @@ class Acceptance {
 
   private:
     static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
+
+    /// Nearly always decides at once what starts_on() asks.
+    bool may_touch(std::uint32_t primitive) const { return primitive == touched_ || touches_more_; }
 
     /// Whether a crossing with what the ray starts on is one that it has behind it.
     [[gnu::noinline]] bool repeats(const Primitive<Real>& p, std::uint32_t primitive,
@@ -135,6 +143,8 @@ class Acceptance {
     const World<Real>& world_;
     const Start<Real>& start_;
     const Bodies& bodies_;
+    std::uint32_t touched_ = none;  ///< the first primitive that the ray starts on
+    bool touches_more_ = false;
 };
 
 /// Reports the crossings of the ray with a solid in the solid's own space.

@@ -11,6 +11,7 @@ struct HalfSpace {
     Vec3<Real> point;   ///< on the plane
     Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
     Real plain_error = placed + plain_error_of(point);  ///< of `point` in a plain difference
+    Real offset = dot(normal, point);
 };
 
 /// Where a line crosses a plane, by the plain difference of places: crossing() finds it between
@@ -21,15 +22,15 @@ struct PlaneGuess {
     Real slope;  ///< dot(normal, dir)
     Real low, high;
 
-    /// The heights by plain and by exact differences lie half of `noise` apart, and by crossing()
+    /// The heights by plain and by exact numbers lie less than `noise` apart, and by crossing()
     /// |slope| times the bound is at most that and 7 u |t|.
     PlaneGuess(const HalfSpace<Real>& half, const Ray<Real>& ray)
         : slope(dot(half.normal, ray.dir)) {
         using std::abs;
-        const Real noise = 2 * (ray.plain_error + half.plain_error);
+        const Real noise = ray.plain_error + half.plain_error;
         const Real inv = 1 / slope;
-        const Real t = -dot(half.normal, ray.origin - half.point) * inv;
-        const Real slack = (5 * noise + gamma<Real>(64) * abs(t)) * abs(inv);
+        const Real t = (half.offset - dot(half.normal, ray.origin)) * inv;
+        const Real slack = (9 * noise + gamma<Real>(64) * abs(t)) * abs(inv);
         low = t - slack;
         high = t + slack;
     }
@@ -73,14 +74,14 @@ SurfacePoint<Real> surface_point(const HalfSpace<Real>& half, const Ray<Real>& r
     // Along an axis that lies in the plane the anchor may slide to where the ray starts: the offset
     // is then small and keeps its digits however far all this is from the origin.
     const Vec3<Real> rel = start_from(ray, half.point);
-    Vec3<Real> anchor(0);
-    Vec3<Real> offset(0);
+    Vec3<Real> anchor = half.point;
+    Vec3<Real> offset = rel + t * ray.dir;
     Vec3<Real> rest(0);
     for (int i = 0; i < 3; ++i) {
-        const bool across = half.normal[i] != 0;
-        anchor[i] = across ? half.point[i] : ray.origin[i];
-        offset[i] = (across ? rel[i] : Real(0)) + t * ray.dir[i];
-        rest[i] = across ? Real(0) : ray.origin_lo[i];
+        if (half.normal[i] != 0) continue;
+        anchor[i] = ray.origin[i];
+        offset[i] = t * ray.dir[i];
+        rest[i] = ray.origin_lo[i];
     }
     offset -= dot(half.normal, offset) * half.normal;
     const Real error = gamma<Real>(4) * dot(absolute(half.normal), absolute(offset));
