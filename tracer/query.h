@@ -215,6 +215,11 @@ class NearestContact {
   public:
     Real limit() const { return limit_; }
 
+    /// Something will be added later, beyond which nothing belongs to the contact.
+    void expect(Real limit) {
+        if (limit < limit_) limit_ = limit;
+    }
+
     void add(const Hit<Real>& hit) {
         if (!(hit.t <= limit_)) return;
         if (nearest_.t < infinity && !before(hit, nearest_)) {
@@ -271,47 +276,73 @@ void order_contact(const World<Real>& world, Contact<Real>& contact) {
 /// Which objects a query sees: all, or those that cast shadows.
 enum class Shadows { ignore, cast };
 
-/// Reports the crossings with those planes that may be the nearest: report(primitive, crossing).
+/// The planes that may be the nearest.
 ///
-/// Plain numbers tell which come first, eight planes at a time, before any crossing is formed: of a
-/// room's walls three lie ahead. A plane bounds how far the contact reaches where its crossing is
-/// sure to count.
-///
-/// \param sees  whether the query sees a primitive
-template <class Real, class Bodies, class Last, class Sees, class Report>
-[[gnu::always_inline]] inline void nearest_planes(const World<Real>& world, const Ray<Real>& ray,
-                                                  const Start<Real>& start,
-                                                  const Acceptance<Real, Bodies>& accept,
-                                                  const Stretch<Real, Last>& stretch,
-                                                  const Sees& sees, const Report& report) {
+/// Plain numbers tell which come first before any crossing is formed: of a room's walls three lie
+/// ahead, and most of what stands in it is met before them. A plane bounds how far the contact
+/// reaches where its crossing is sure to count.
+template <class Real>
+class NearestPlanes {
+  public:
+    /// Beyond it nothing belongs to the contact.
+    Real limit() const { return limit_; }
+
+    /// Looks at all planes. Those beyond the eighth that must wait are formed at once.
+    ///
+    /// \param sees    whether the query sees a primitive
+    /// \param report  report(primitive, crossing)
+    template <class Bodies, class Last, class Sees, class Report>
+    [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
+                                     const Start<Real>& start,
+                                     const Acceptance<Real, Bodies>& accept,
+                                     const Stretch<Real, Last>& stretch, const Sees& sees,
+                                     const Report& report) {
+        const auto end = static_cast<std::uint32_t>(world.primitives.size());
+        for (std::uint32_t i = world.bounded; i < end; ++i) {
+            const PlaneGuess<Real> guess(plane_of(world, i), ray);
+            if (guess.slope == 0 || guess.low > limit_ || guess.high < stretch.first) continue;
+            const bool touched = accept.starts_on(i);
+            if (!sees(i) || (touched && start.fresh)) continue;  // a line meets a plane once
+            if (guess.high < limit_ && guess.low > start.t && !touched &&
+                accept.lets_pass(i, guess.slope < 0))
+                limit_ = guess.high;
+            if (count_ == waiting_.size()) form_now(world, ray, stretch, report);
+            waiting_[count_++] = {i, guess.slope, guess.low};
+        }
+    }
+
+    /// Whether there are any to form().
+    bool wait() const { return count_ != 0; }
+
+    /// Forms the crossings that are still needed after what was found meanwhile.
+    template <class Last, class Report>
+    [[gnu::always_inline]] void form(const World<Real>& world, const Ray<Real>& ray,
+                                     const Stretch<Real, Last>& stretch, const Report& report) {
+        for (std::size_t k = 0; k < count_; ++k) {
+            const Waiting& w = waiting_[k];
+            if (stretch.ends_before(w.low)) continue;
+            const auto report_it = [&](const Crossing<Real>& c) { report(w.primitive, c); };
+            crossing(plane_of(world, w.primitive), ray, w.slope, stretch, report_it);
+        }
+        count_ = 0;
+    }
+
+  private:
+    template <class Last, class Report>
+    [[gnu::noinline]] void form_now(const World<Real>& world, const Ray<Real>& ray,
+                                    const Stretch<Real, Last>& stretch, const Report& report) {
+        form(world, ray, stretch, report);
+    }
+
     struct Waiting {
         std::uint32_t primitive;
         Real slope;
         Real low;
     };
-    std::array<Waiting, 8> waiting;
-    Real limit = std::numeric_limits<Real>::infinity();
-    const auto end = static_cast<std::uint32_t>(world.primitives.size());
-    for (std::uint32_t i = world.bounded; i < end;) {
-        std::size_t count = 0;
-        for (; i < end && count < waiting.size(); ++i) {
-            const PlaneGuess<Real> guess(plane_of(world, i), ray);
-            if (guess.slope == 0 || guess.low > limit || guess.high < stretch.first) continue;
-            const bool touched = accept.starts_on(i);
-            if (!sees(i) || (touched && start.fresh)) continue;  // a line meets a plane once
-            waiting[count++] = {i, guess.slope, guess.low};
-            if (guess.high < limit && guess.low > start.t && !touched &&
-                accept.lets_pass(i, guess.slope < 0))
-                limit = guess.high;
-        }
-        for (std::size_t k = 0; k < count; ++k) {
-            const Waiting& w = waiting[k];
-            if (w.low > limit) continue;
-            const auto report_it = [&](const Crossing<Real>& c) { report(w.primitive, c); };
-            crossing(plane_of(world, w.primitive), ray, w.slope, stretch, report_it);
-        }
-    }
-}
+    std::array<Waiting, 8> waiting_;
+    std::size_t count_ = 0;
+    Real limit_ = std::numeric_limits<Real>::infinity();
+};
 
 /// Everything that the ray meets first, the nearest hit in front. Empty: it leaves the scene.
 template <class Real, class Bodies>
@@ -321,6 +352,7 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     using std::abs;
     const Acceptance<Real, Bodies> accept(world, start, bodies);
     NearestContact<Real> found;
+    NearestPlanes<Real> planes;
     const auto limit = [&] { return found.limit(); };
     // A body that the ray is in may be left a rounding before the start.
     const Real first = start.t - abs(start.t) * gamma<Real>(32);
@@ -329,11 +361,11 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
         return index != start.left &&
                (shadows == Shadows::ignore || world.primitives[index].casts_shadow);
     };
-    nearest_planes(world, ray, start, accept, stretch, sees,
-                   [&](std::uint32_t index, const Crossing<Real>& c) {
-                       if (accept(index, c))
-                           found.add({accept.met_at(c), c.error, {index, c.face, c.entering}});
-                   });
+    const auto report_plane = [&](std::uint32_t index, const Crossing<Real>& c) {
+        if (accept(index, c)) found.add({accept.met_at(c), c.error, {index, c.face, c.entering}});
+    };
+    planes.find(world, ray, start, accept, stretch, sees, report_plane);
+    found.expect(planes.limit());
     candidates(world, ray, stretch, [&](std::uint32_t index) {
         if (!sees(index)) return false;
         primitive_crossings(
@@ -345,6 +377,7 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
             });
         return false;
     });
+    if (planes.wait()) planes.form(world, ray, stretch, report_plane);
     return found.take();
 }
 

@@ -16,19 +16,26 @@ Four<Real> widened_far(const Four<Real>& far) {
 
 // One plane after the other: a textbook's crossing costs no more than a filter.
 
-template <methods::Shapes Real, class Bodies, class Last, class Sees, class Report>
-[[gnu::always_inline]] inline void nearest_planes(const World<Real>& world, const Ray<Real>& ray,
-                                                  const Start<Real>&,
-                                                  const Acceptance<Real, Bodies>& accept,
-                                                  const Stretch<Real, Last>& stretch,
-                                                  const Sees& sees, const Report& report) {
-    const auto end = static_cast<std::uint32_t>(world.primitives.size());
-    for (std::uint32_t i = world.bounded; i < end; ++i) {
-        if (sees(i))
-            crossings(plane_of(world, i), ray, accept.known(i), stretch,
-                      [&](const Crossing<Real>& c) { report(i, c); });
+template <methods::Shapes Real>
+class NearestPlanes<Real> {
+  public:
+    Real limit() const { return std::numeric_limits<Real>::infinity(); }
+    template <class Bodies, class Last, class Sees, class Report>
+    [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
+                                     const Start<Real>&, const Acceptance<Real, Bodies>& accept,
+                                     const Stretch<Real, Last>& stretch, const Sees& sees,
+                                     const Report& report) {
+        const auto end = static_cast<std::uint32_t>(world.primitives.size());
+        for (std::uint32_t i = world.bounded; i < end; ++i) {
+            if (sees(i))
+                crossings(plane_of(world, i), ray, accept.known(i), stretch,
+                          [&](const Crossing<Real>& c) { report(i, c); });
+        }
     }
-}
+    bool wait() const { return false; }
+    template <class Last, class Report>
+    void form(const World<Real>&, const Ray<Real>&, const Stretch<Real, Last>&, const Report&) {}
+};
 
 template <methods::Shapes Real, class Bodies, class Last, class Sees, class Report>
 [[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
@@ -61,6 +68,7 @@ template <methods::Contacts Real>
 class NearestContact<Real> {
   public:
     Real limit() const { return nearest_.t; }
+    void expect(Real) {}
     void add(const Hit<Real>& hit) {
         if (hit.t < nearest_.t) nearest_ = hit;
     }
