@@ -40,7 +40,7 @@ void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const K
                const Stretch<Real, Last>& stretch, Report&& report) {
     const TriangleMesh<Real>& mesh = *instance.mesh;
     Shear<Real> shear = shear_of(ray);
-    shear.noise = edge_noise(ray, mesh.bvh.bounds.reach());
+    shear.noise = edge_noise(ray, mesh.bvh.reach);
     traverse(mesh.bvh, ray, stretch.first, stretch.last,
              [&](std::uint32_t first, std::uint32_t count) {
                  for (std::uint32_t i = first; i < first + count; ++i) {
