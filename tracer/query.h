@@ -300,7 +300,7 @@ class NearestPlanes {
         const auto end = static_cast<std::uint32_t>(world.primitives.size());
         for (std::uint32_t i = world.bounded; i < end; ++i) {
             const PlaneGuess<Real> guess(plane_of(world, i), ray);
-            if (guess.slope == 0 || guess.low > limit_ || guess.high < stretch.first) continue;
+            if (guess.low > limit_ || guess.high < stretch.first || guess.slope == 0) continue;
             const bool touched = accept.starts_on(i);
             if (!sees(i) || (touched && start.fresh)) continue;  // a line meets a plane once
             if (guess.high < limit_ && guess.low > start.t && !touched &&
