@@ -40,7 +40,7 @@ template <class Real, class Last, class Report>
 void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const Known& known,
                const Stretch<Real, Last>& stretch, Report&& report) {
     const TriangleMesh<Real>& mesh = *instance.mesh;
-    std::optional<Shear<Real>> shear;  // most rays that meet the tree's bounds reach no leaf
+    std::optional<Shear<Real>> shear;  // a ray that reaches no leaf does without
     traverse(mesh.bvh, ray, stretch.first, stretch.last,
              [&](std::uint32_t first, std::uint32_t count) {
                  if (!shear) {
