@@ -112,11 +112,16 @@ TEST(OracleGuesses, CylinderAndCone) {
         f.plain_error = f.placed + plain_error_of(f.small_end);
         const double size = std::max(f.height, f.radius + f.slope * f.height);
         Ray<double> ray = draw.ray_at(f.small_end + (f.height / 2) * f.axis, size);
-        if (draw.number() % 6 == 5) {  // nearly along the mantle, or touching it
+        if (draw.number() % 6 >= 4) {  // nearly touches the mantle, or runs nearly along it
             const Vec3d out = normalize(cross(f.axis, draw.direction()));
-            const Vec3d place = f.small_end + (f.height * draw.unit()) * f.axis + f.radius * out;
-            const Vec3d along = f.axis + f.slope * out + draw.direction() * draw.decade(-16, 1);
-            ray = make_ray(place - along * draw.decade(-2, 2), Vec3d(0), normalize(along), 0.0);
+            const double axial = f.height * draw.unit();
+            const double reach = (f.radius + f.slope * axial) * (1 - draw.decade(-17, -1));
+            const Vec3d place = f.small_end + axial * f.axis + reach * out;
+            const Vec3d along =
+                draw.number() % 6 == 4
+                    ? normalize(cross(out - f.slope * f.axis, draw.direction()))
+                    : normalize(f.axis + f.slope * out + draw.direction() * draw.decade(-16, 1));
+            ray = make_ray(place - along * (size * draw.decade(-2, 4)), Vec3d(0), along, 0.0);
         }
         guesses.check(f, with_error(draw.in_two_parts(ray), moved(draw, size)), draw);
     });
