@@ -29,6 +29,7 @@ struct Bvh {
     std::vector<BvhNode<Real>> nodes;  ///< the first is the root; empty without items
     std::vector<std::uint32_t> order;  ///< items in leaf order
     Bounds<Real> bounds;
+    Real reach = 0;  ///< the largest size of a coordinate of `bounds`
 };
 
 /// Builds a tree over items with these boxes (which must be finite), by binned surface-area

@@ -188,6 +188,7 @@ Bvh<Real> build_bvh(const std::vector<Bounds<Real>>& boxes, std::uint32_t leaf_s
     if (boxes.empty()) return bvh;
     for (const Bounds<Real>& box : boxes) bvh.bounds.extend(box);
     bvh.bounds = widened(bvh.bounds);
+    bvh.reach = bvh.bounds.reach();
     const bvh_detail::Builder<Real> builder{boxes, bvh.order, leaf_size};
     bvh.nodes.reserve(boxes.size() / leaf_size + 1);
     builder.build({0, static_cast<std::uint32_t>(boxes.size()), 0}, bvh.nodes, threads);

@@ -96,21 +96,21 @@ void faces_near(const TriangleMesh<Real>& mesh, const Vec3<Real>& point, Real re
 /// out of a body that bulges there, or into one that is hollow there. Rounding may let the search
 /// for crossings pass by both faces; here the ray's own word counts for the side that it is on.
 ///
-/// \param left    the face that the ray starts on
+/// \param turn    the face that the ray starts on
 /// \param bodies  that the ray is in
 template <class Real>
-Contact<Real> met_at_once(const World<Real>& world, const Ray<Real>& ray, const SurfaceId& left,
+Contact<Real> met_at_once(const World<Real>& world, const Ray<Real>& ray, const SurfaceId& turn,
                           const MediaList& bodies) {
     Contact<Real> met;
-    if (left.primitive == none) return met;
-    const Primitive<Real>& primitive = world.primitives[left.primitive];
+    if (turn.primitive == none) return met;
+    const Primitive<Real>& primitive = world.primitives[turn.primitive];
     const auto* instance = std::get_if<MeshInstance<Real>>(&primitive.solid);
     if (instance == nullptr || !primitive.medium) return met;
     const TriangleMesh<Real>& mesh = *instance->mesh;
     const Ray<Real> local =
         primitive.frame == none ? ray : to_local(ray, world.frames[primitive.frame]);
     const Vec3<Real> start = local.origin + local.origin_lo;
-    const OrientedFace<Real> from(mesh, left.face);
+    const OrientedFace<Real> from(mesh, turn.face);
     // The start's bound is of its distance from the face; along it, and in the crossings computed
     // from it, rounding goes by the sizes of the face and of the coordinates.
     const Real size = max_component(absolute(from.triangle.b - from.triangle.a)) +
@@ -118,10 +118,10 @@ Contact<Real> met_at_once(const World<Real>& world, const Ray<Real>& ray, const 
     const Real reach =
         4 * local.origin_error + gamma<Real>(16) * (max_component(absolute(start)) + size);
     if (!is_near_edge(from.triangle, start, reach)) return met;
-    const bool inside = contains(bodies, left.primitive);
+    const bool inside = contains(bodies, turn.primitive);
     Real steepest = 0;
     faces_near(mesh, start, reach, [&](std::uint32_t index) {
-        if (index == left.face) return;
+        if (index == turn.face) return;
         const OrientedFace<Real> face(mesh, index);
         const Real out = (inside ? 1 : -1) * dot(face.outward, local.dir);
         if (!(out > steepest) || is_convex_edge(from, face.triangle) != inside) return;
@@ -129,7 +129,7 @@ Contact<Real> met_at_once(const World<Real>& world, const Ray<Real>& ray, const 
         if (!weights) return;
         steepest = out;
         met.assign(1,
-                   Hit<Real>{0, reach, {left.primitive, index, !inside}, weights->x, weights->y});
+                   Hit<Real>{0, reach, {turn.primitive, index, !inside}, weights->x, weights->y});
     });
     return met;
 }

@@ -47,7 +47,7 @@ std::optional<Hit<Real>> povray_hit(const World<Real>& world, const Ray<Real>& r
     const auto limit = [&] { return nearest ? nearest->t : last; };
     const Stretch<Real, decltype(limit)> stretch{first, limit};
     const auto object = [&](std::uint32_t index) { return world.primitives[index].object; };
-    candidates(world, ray, stretch, [&](std::uint32_t index) {
+    const auto visit = [&](std::uint32_t index) {
         const Primitive<Real>& p = world.primitives[index];
         if (shadows == Shadows::cast && !p.casts_shadow) return false;
         primitive_crossings(
@@ -60,7 +60,10 @@ std::optional<Hit<Real>> povray_hit(const World<Real>& world, const Ray<Real>& r
                 return false;
             });
         return false;
-    });
+    };
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end; ++i) visit(i);
+    candidates(world, ray, stretch, visit);
     return nearest;
 }
 

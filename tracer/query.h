@@ -53,11 +53,15 @@ template <class Real, class Bodies>
 class Acceptance {
   public:
     Acceptance(const World<Real>& world, const Start<Real>& start, const Bodies& bodies)
-        : world_(world), start_(start), bodies_(bodies) {}
+        : world_(world), start_(start), bodies_(bodies) {
+        if (start.surfaces.empty()) return;
+        touched_ = start.surfaces.front().primitive;
+        touches_more_ = start.surfaces.size() > 1;
+    }
 
     Known known(std::uint32_t primitive) const {
         Known k;
-        if (start_.fresh) {
+        if (may_touch(primitive) && start_.fresh) {
             for (const SurfaceId& s : start_.surfaces) {
                 if (s.primitive == primitive) k.start_face = s.face;
             }
@@ -76,28 +80,38 @@ class Acceptance {
         const Primitive<Real>& p = world_.primitives[primitive];
         const Real ahead = c.t - start_.t;
         if (ahead < -c.error) return false;
-        const bool left = leaves(primitive);
-        if (left && repeats(p, primitive, c)) return false;
+        const bool touched = starts_on(primitive);
+        if (touched && repeats(p, primitive, c)) return false;
         if (is_medium(p)) return contains_here(primitive) != c.entering;
         if (ahead > c.error) return true;
-        return p.body && c.entering && !left && c.chord > 4 * c.error;  // enters a wall
+        return p.body && c.entering && !touched && c.chord > 4 * c.error;  // enters a wall
+    }
+
+    /// Whether a crossing in this sense counts when it lies ahead by more than its error and the
+    /// ray does not start on the primitive.
+    bool lets_pass(std::uint32_t primitive, bool entering) const {
+        return !is_medium(world_.primitives[primitive]) || contains_here(primitive) != entering;
     }
 
     /// Where a crossing that counts is met: at the start when rounding put it before.
     Real met_at(const Crossing<Real>& c) const { return c.t < start_.t ? start_.t : c.t; }
 
-  private:
-    static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
-
     /// Whether the ray starts on the primitive, or passed straight through it just now.
-    bool leaves(std::uint32_t primitive) const {
+    bool starts_on(std::uint32_t primitive) const {
+        if (!may_touch(primitive)) return false;
         for (const SurfaceId& s : start_.surfaces) {
             if (s.primitive == primitive) return true;
         }
         return false;
     }
 
-    /// Whether a crossing with what the ray leaves is one that it has behind it.
+  private:
+    static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
+
+    /// Nearly always decides at once what starts_on() asks.
+    bool may_touch(std::uint32_t primitive) const { return primitive == touched_ || touches_more_; }
+
+    /// Whether a crossing with what the ray starts on is one that it has behind it.
     [[gnu::noinline]] bool repeats(const Primitive<Real>& p, std::uint32_t primitive,
                                    const Crossing<Real>& c) const {
         for (const SurfaceId& s : start_.surfaces) {
@@ -129,6 +143,8 @@ class Acceptance {
     const World<Real>& world_;
     const Start<Real>& start_;
     const Bodies& bodies_;
+    std::uint32_t touched_ = none;  ///< the first primitive that the ray starts on
+    bool touches_more_ = false;
 };
 
 /// Reports the crossings of the ray with a solid in the solid's own space.
@@ -170,14 +186,17 @@ void primitive_crossings(const World<Real>& world, const Primitive<Real>& primit
                         stretch, report);
 }
 
-/// Visits every primitive that the ray may meet on the stretch: visit(index) returns true to stop.
+/// What is in no tree: primitives[bounded..].
+template <class Real>
+const HalfSpace<Real>& plane_of(const World<Real>& world, std::uint32_t primitive) {
+    return *std::get_if<HalfSpace<Real>>(&world.primitives[primitive].solid);
+}
+
+/// Visits every primitive of the tree that the ray may meet on the stretch: visit(index) returns
+/// true to stop.
 template <class Real, class Last, class Visit>
 void candidates(const World<Real>& world, const Ray<Real>& ray, const Stretch<Real, Last>& stretch,
                 Visit&& visit) {
-    const auto end = static_cast<std::uint32_t>(world.primitives.size());
-    for (std::uint32_t i = world.bounded; i < end; ++i) {
-        if (visit(i)) return;
-    }
     traverse(world.bvh, ray, stretch.first, stretch.last,
              [&](std::uint32_t first, std::uint32_t count) {
                  for (std::uint32_t i = first; i < first + count; ++i) {
@@ -195,6 +214,11 @@ template <class Real>
 class NearestContact {
   public:
     Real limit() const { return limit_; }
+
+    /// Something will be added later, beyond which nothing belongs to the contact.
+    void expect(Real limit) {
+        if (limit < limit_) limit_ = limit;
+    }
 
     void add(const Hit<Real>& hit) {
         if (!(hit.t <= limit_)) return;
@@ -252,6 +276,74 @@ void order_contact(const World<Real>& world, Contact<Real>& contact) {
 /// Which objects a query sees: all, or those that cast shadows.
 enum class Shadows { ignore, cast };
 
+/// The planes that may be the nearest.
+///
+/// Plain numbers tell which come first before any crossing is formed: of a room's walls three lie
+/// ahead, and most of what stands in it is met before them. A plane bounds how far the contact
+/// reaches where its crossing is sure to count.
+template <class Real>
+class NearestPlanes {
+  public:
+    /// Beyond it nothing belongs to the contact.
+    Real limit() const { return limit_; }
+
+    /// Looks at all planes. Those beyond the eighth that must wait are formed at once.
+    ///
+    /// \param sees    whether the query sees a primitive
+    /// \param report  report(primitive, crossing)
+    template <class Bodies, class Last, class Sees, class Report>
+    [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
+                                     const Start<Real>& start,
+                                     const Acceptance<Real, Bodies>& accept,
+                                     const Stretch<Real, Last>& stretch, const Sees& sees,
+                                     const Report& report) {
+        const auto end = static_cast<std::uint32_t>(world.primitives.size());
+        for (std::uint32_t i = world.bounded; i < end; ++i) {
+            const PlaneGuess<Real> guess(plane_of(world, i), ray);
+            if (guess.low > limit_ || guess.high < stretch.first || guess.slope == 0) continue;
+            const bool touched = accept.starts_on(i);
+            if (!sees(i) || (touched && start.fresh)) continue;  // a line meets a plane once
+            if (guess.high < limit_ && guess.low > start.t && !touched &&
+                accept.lets_pass(i, guess.slope < 0))
+                limit_ = guess.high;
+            if (count_ == waiting_.size()) form_now(world, ray, stretch, report);
+            waiting_[count_++] = {i, guess.slope, guess.low};
+        }
+    }
+
+    /// Whether there are any to form().
+    bool wait() const { return count_ != 0; }
+
+    /// Forms the crossings that are still needed after what was found meanwhile.
+    template <class Last, class Report>
+    [[gnu::always_inline]] void form(const World<Real>& world, const Ray<Real>& ray,
+                                     const Stretch<Real, Last>& stretch, const Report& report) {
+        for (std::size_t k = 0; k < count_; ++k) {
+            const Waiting& w = waiting_[k];
+            if (stretch.ends_before(w.low)) continue;
+            const auto report_it = [&](const Crossing<Real>& c) { report(w.primitive, c); };
+            crossing(plane_of(world, w.primitive), ray, w.slope, stretch, report_it);
+        }
+        count_ = 0;
+    }
+
+  private:
+    template <class Last, class Report>
+    [[gnu::noinline]] void form_now(const World<Real>& world, const Ray<Real>& ray,
+                                    const Stretch<Real, Last>& stretch, const Report& report) {
+        form(world, ray, stretch, report);
+    }
+
+    struct Waiting {
+        std::uint32_t primitive;
+        Real slope;
+        Real low;
+    };
+    std::array<Waiting, 8> waiting_;
+    std::size_t count_ = 0;
+    Real limit_ = std::numeric_limits<Real>::infinity();
+};
+
 /// Everything that the ray meets first, the nearest hit in front. Empty: it leaves the scene.
 template <class Real, class Bodies>
 Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
@@ -260,16 +352,24 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     using std::abs;
     const Acceptance<Real, Bodies> accept(world, start, bodies);
     NearestContact<Real> found;
+    NearestPlanes<Real> planes;
     const auto limit = [&] { return found.limit(); };
     // A body that the ray is in may be left a rounding before the start.
     const Real first = start.t - abs(start.t) * gamma<Real>(32);
     const Stretch<Real, decltype(limit)> stretch{first, limit};
+    const auto sees = [&](std::uint32_t index) {
+        return index != start.left &&
+               (shadows == Shadows::ignore || world.primitives[index].casts_shadow);
+    };
+    const auto report_plane = [&](std::uint32_t index, const Crossing<Real>& c) {
+        if (accept(index, c)) found.add({accept.met_at(c), c.error, {index, c.face, c.entering}});
+    };
+    planes.find(world, ray, start, accept, stretch, sees, report_plane);
+    found.expect(planes.limit());
     candidates(world, ray, stretch, [&](std::uint32_t index) {
-        if (index == start.left) return false;
-        const Primitive<Real>& p = world.primitives[index];
-        if (shadows == Shadows::cast && !p.casts_shadow) return false;
+        if (!sees(index)) return false;
         primitive_crossings(
-            world, p, ray, accept.known(index), stretch,
+            world, world.primitives[index], ray, accept.known(index), stretch,
             [&](const Crossing<Real>& c, Real u, Real v) {
                 if (accept(index, c))
                     found.add({accept.met_at(c), c.error, {index, c.face, c.entering}, u, v});
@@ -277,6 +377,7 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
             });
         return false;
     });
+    if (planes.wait()) planes.form(world, ray, stretch, report_plane);
     return found.take();
 }
 

@@ -168,11 +168,22 @@ struct Crossing {
 /// its error, need not be reported, and needs no bound either: bounds cost as much as crossings.
 ///
 /// \tparam Last  called without arguments: the parameter beyond which nothing matters. It may
-///               shrink as crossings are reported
+///               shrink as crossings are reported. It may have a function settles(): see there
 template <class Real, class Last>
 struct Stretch {
     Real first;
     const Last& last;
+
+    /// Whether the query may do without the exact form of a crossing.
+    static constexpr bool may_settle = requires(const Last& query, Real t) { query.settles(t, t); };
+
+    /// For shapes that know, from a filter, that a crossing which they would report lies between
+    /// these parameters, with eight times its error bound on either side of it. True: the query
+    /// wants to hear no more of the shape.
+    bool settles(Real low, Real high) const {
+        if constexpr (may_settle) return last.settles(low, high);
+        return false;
+    }
 
     bool ends_before(Real t) const { return t > last(); }
     bool holds(const Crossing<Real>& c) const { return c.t + c.error >= first; }

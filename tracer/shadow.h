@@ -10,31 +10,83 @@ namespace lancer {
 
 enum class Way { clear, blocked, filtered };
 
+/// What survey() has found, and where it is.
+template <class Real, class Bodies>
+struct Survey {
+    const World<Real>& world;
+    const Acceptance<Real, Bodies>& accept;
+    const Start<Real>& start;
+    Real distance;            ///< to the light
+    std::uint32_t at = none;  ///< the primitive that is asked about
+    Way way = Way::clear;
+
+    static constexpr bool light_may_pass = !std::is_same_v<Bodies, NoMedia>;
+    bool only_filters() const { return light_may_pass && world.primitives[at].transmissive; }
+};
+
+/// The stretch to the light, for shapes: Stretch.
+template <class Real, class Bodies>
+struct WayToLight {
+    Survey<Real, Bodies>& survey;
+
+    Real operator()() const { return survey.distance; }
+    /// A crossing farther ahead than its error counts, unless the ray starts on the primitive.
+    bool settles(Real low, Real high) const {
+        if (!(low > survey.start.t && high < survey.distance)) return false;
+        if (survey.accept.starts_on(survey.at)) return false;
+        survey.way = survey.only_filters() ? Way::filtered : Way::blocked;
+        return true;
+    }
+};
+
+/// Reports the crossings with planes that plain numbers do not settle, until one blocks the way.
+///
+/// \param is_seen  called with the primitive before it is asked about
+template <class Real, class Bodies, class Last, class Sees, class Report>
+[[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
+                                                     const Acceptance<Real, Bodies>& accept,
+                                                     const Stretch<Real, Last>& stretch,
+                                                     const Sees& is_seen, const Report& report) {
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end; ++i) {
+        const PlaneGuess<Real> guess(plane_of(world, i), ray);
+        if (stretch.ends_before(guess.low) || guess.high < stretch.first || !is_seen(i)) continue;
+        if (!accept.lets_pass(i, guess.slope < 0) || !stretch.settles(guess.low, guess.high))
+            crossings(plane_of(world, i), ray, accept.known(i), stretch, report);
+        if (stretch.last.survey.way == Way::blocked) return;
+    }
+}
+
 /// Looks once along the way to the light: an opaque surface ends it; whether something transmissive
 /// lies there is only noted.
 template <class Real, class Bodies>
 Way survey(const World<Real>& world, const Ray<Real>& ray, Real distance, const Start<Real>& start,
            const Bodies& bodies) {
     const Acceptance<Real, Bodies> accept(world, start, bodies);
-    constexpr bool light_may_pass = !std::is_same_v<Bodies, NoMedia>;
-    Way way = Way::clear;
-    const auto limit = [&] { return distance; };
-    const Stretch<Real, decltype(limit)> stretch{Real(0), limit};
+    Survey<Real, Bodies> survey{world, accept, start, distance};
+    const WayToLight<Real, Bodies> limit{survey};
+    const Stretch<Real, WayToLight<Real, Bodies>> stretch{Real(0), limit};
+    const auto report = [&](const Crossing<Real>& c) {
+        if (survey.only_filters()) {
+            if (c.t >= -c.error && c.t < distance) survey.way = Way::filtered;
+        } else if (accept(survey.at, c) && c.t < distance - c.error) {
+            survey.way = Way::blocked;
+        }
+        return survey.way == Way::blocked;
+    };
+    const auto is_seen = [&](std::uint32_t index) {
+        survey.at = index;
+        return world.primitives[index].casts_shadow && index != start.left;
+    };
+    planes_on_the_way(world, ray, accept, stretch, is_seen, report);
+    if (survey.way == Way::blocked) return Way::blocked;
     candidates(world, ray, stretch, [&](std::uint32_t index) {
-        const Primitive<Real>& p = world.primitives[index];
-        if (!p.casts_shadow || index == start.left) return false;
-        primitive_crossings(world, p, ray, accept.known(index), stretch,
-                            [&](const Crossing<Real>& c, Real, Real) {
-                                if (light_may_pass && p.transmissive) {
-                                    if (c.t >= -c.error && c.t < distance) way = Way::filtered;
-                                } else if (accept(index, c) && c.t < distance - c.error) {
-                                    way = Way::blocked;
-                                }
-                                return way == Way::blocked;
-                            });
-        return way == Way::blocked;
+        if (!is_seen(index)) return false;
+        primitive_crossings(world, world.primitives[index], ray, accept.known(index), stretch,
+                            [&](const Crossing<Real>& c, Real, Real) { return report(c); });
+        return survey.way == Way::blocked;
     });
-    return way;
+    return survey.way;
 }
 
 /// The share of light that comes straight to the start of `ray` from `distance` away: the product

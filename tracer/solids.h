@@ -235,7 +235,7 @@ class Solids {
         f.placed = placed;
         f.small_end = small;
         f.large_end = large;
-        f.plain_error = plain_error_of(small);
+        f.plain_error = f.placed + plain_error_of(small);
         const Vec3<Real> along = large - small;
         const Real longest = max_component(absolute(along));
         const Vec3<Real> short_axis = along / longest;
@@ -368,6 +368,8 @@ class Solids {
                 for (std::size_t k = 0; k < 16; ++k)
                     home.points[k] =
                         convert<Real>(scaled(map_point(to_world, from[k]), world_.scale_exponent));
+                for (const Vec3<Real>& p : home.points)
+                    surface->reach = std::max(surface->reach, max_component(absolute(p)));
                 home.column = static_cast<Real>(j);
                 home.row = static_cast<Real>(i);
                 surface->homes.push_back(home);

@@ -36,18 +36,18 @@ class Whitted {
     using Step = Crossed<Real, Media>;
 
     /// \param weight, level  see is_followed()
-    /// \param left  the surface that turned the ray into this direction
+    /// \param turn  the surface that turned the ray into this direction
     Vec3<Real> trace(Ray<Real> ray, Start<Real> start, Media media, Real weight, int level,
-                     SurfaceId left) {
+                     SurfaceId turn) {
         RayCounts& counts = lighting_.counts;
         Vec3<Real> result(0);
         Vec3<Real> through(1);  // what the surfaces and media on the way let pass
         int straight_passes{};
         while (is_followed(world_, weight, level)) {
-            Contact<Real> contact = met_at_once(world_, ray, left, media.bodies);
+            Contact<Real> contact = met_at_once(world_, ray, turn, media.bodies);
             const bool at_once = !contact.empty();
             if (!at_once) contact = nearest_contact(world_, ray, start, media.bodies);
-            left = {};
+            turn = {};
             if (contact.empty()) {
                 lighting_.note(none);
                 counts.media_lost += drop_bounded(world_, media.bodies);
@@ -89,7 +89,7 @@ class Whitted {
             ray = make_ray(front.position, front.position_lo, c.bent, front.error);
             media = std::move(next);
             start = {0, std::move(touched), left_for_good(front, ray.dir)};
-            left = front.id;
+            turn = front.id;
             ++level;
         }
         return result;

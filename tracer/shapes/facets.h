@@ -18,6 +18,7 @@ struct FacetSurface {
     std::vector<Home> homes;
     Real columns = 1, rows = 1;  ///< of the net
     int halvings = 0;
+    Real reach = 0;  ///< bound on the size of a coordinate of any facet: of all control points
 };
 
 /// One place where such a patch stands. A face is numbered by the number of its Bezier patch, the
@@ -91,13 +92,15 @@ bool may_meet(const splines::Bicubic<Real>& points, const Ray<Real>& ray) {
 template <class Real, class Last, class Report>
 class FacetSearch {
   public:
-    FacetSearch(const Ray<Real>& ray, const Stretch<Real, Last>& stretch, int halvings,
-                Report& report)
+    FacetSearch(const Ray<Real>& ray, const Stretch<Real, Last>& stretch,
+                const FacetSurface<Real>& surface, Report& report)
         : ray_(ray),
           stretch_(stretch),
           shear_(shear_of(ray)),
-          halvings_(halvings),
-          report_(report) {}
+          halvings_(surface.halvings),
+          report_(report) {
+        shear_.noise = edge_noise(ray, surface.reach);
+    }
 
     /// Returns true to stop.
     bool visit(const splines::Bicubic<Real>& points, std::uint32_t cell, int depth) {
@@ -138,7 +141,7 @@ template <class Real, class Last, class Report>
 void crossings(const FacetSolid<Real>& solid, const Ray<Real>& ray, const Known& /*known*/,
                const Stretch<Real, Last>& stretch, Report&& report) {
     const FacetSurface<Real>& surface = *solid.surface;
-    FacetSearch<Real, Last, Report> search(ray, stretch, surface.halvings, report);
+    FacetSearch<Real, Last, Report> search(ray, stretch, surface, report);
     for (std::uint32_t i = 0; i < surface.homes.size(); ++i)
         if (search.visit(surface.homes[i].points, i, 0)) return;
 }

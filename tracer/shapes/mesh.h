@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tracer/bvh.h"
@@ -39,15 +40,18 @@ template <class Real, class Last, class Report>
 void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const Known& known,
                const Stretch<Real, Last>& stretch, Report&& report) {
     const TriangleMesh<Real>& mesh = *instance.mesh;
-    Shear<Real> shear = shear_of(ray);
-    shear.noise = edge_noise(ray, mesh.bvh.bounds.reach());
+    std::optional<Shear<Real>> shear;  // a ray that reaches no leaf does without
     traverse(mesh.bvh, ray, stretch.first, stretch.last,
              [&](std::uint32_t first, std::uint32_t count) {
+                 if (!shear) {
+                     shear = shear_of(ray);
+                     shear->noise = edge_noise(ray, mesh.bvh.reach);
+                 }
                  for (std::uint32_t i = first; i < first + count; ++i) {
                      const std::uint32_t face = mesh.bvh.order[i];
                      if (face == known.start_face) continue;
                      TriangleHit<Real> hit;
-                     if (intersect(mesh.triangle(face), ray, shear, stretch, hit)) {
+                     if (intersect(mesh.triangle(face), ray, *shear, stretch, hit)) {
                          const bool inward = !mesh.inward.empty() && mesh.inward[face] != 0;
                          if (report(Crossing<Real>{hit.t, hit.error, face, hit.entering != inward},
                                     hit.u, hit.v))

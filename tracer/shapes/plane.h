@@ -11,29 +11,35 @@ struct HalfSpace {
     Vec3<Real> point;   ///< on the plane
     Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
     Real plain_error = placed + plain_error_of(point);  ///< of `point` in a plain difference
+    Real offset = dot(normal, point);
 };
 
-/// Whether the line crosses the plane behind its start or after the stretch for certain, told from
-/// the plain difference of places and without a division. See misses() of the ball.
-///
-/// \param slope  dot(normal, dir): of two unit vectors, so it errs by less than 8 u
-template <class Real, class Last>
-bool misses(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
-            const Stretch<Real, Last>& stretch) {
-    using std::abs;
-    const Real noise = 2 * (ray.plain_error + half.plain_error);
-    const Real height = dot(half.normal, ray.origin - half.point);
-    const Real ahead = slope < 0 ? height : -height;  // t |slope|
-    const Real steep = abs(slope);
-    if (!(steep > gamma<Real>(64))) return false;
-    return (stretch.first >= 0 && ahead < -noise) ||
-           ahead - noise > (1 + gamma<Real>(8)) * stretch.last() * (steep + gamma<Real>(8));
-}
+/// Where a line crosses a plane, by the plain difference of places: crossing() finds it between
+/// `low` and `high`, with eight times its error bound on either side. A filter: see is_settled() of
+/// the ball. Numbers that are not tell nothing.
+template <class Real>
+struct PlaneGuess {
+    Real slope;  ///< dot(normal, dir)
+    Real low, high;
+
+    /// The heights by plain and by exact numbers lie less than `noise` apart, and by crossing()
+    /// |slope| times the bound is at most that and 7 u |t|.
+    PlaneGuess(const HalfSpace<Real>& half, const Ray<Real>& ray)
+        : slope(dot(half.normal, ray.dir)) {
+        using std::abs;
+        const Real noise = ray.plain_error + half.plain_error;
+        const Real inv = 1 / slope;
+        const Real t = (half.offset - dot(half.normal, ray.origin)) * inv;
+        const Real slack = (9 * noise + gamma<Real>(64) * abs(t)) * abs(inv);
+        low = t - slack;
+        high = t + slack;
+    }
+};
 
 /// The one crossing, where it may matter.
 template <class Real, class Last, class Report>
-[[gnu::noinline]] void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
-                                const Stretch<Real, Last>& stretch, Report& report) {
+void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
+              const Stretch<Real, Last>& stretch, Report& report) {
     using std::abs;
     const Vec3<Real> rel = start_from(ray, half.point);
     const Real height = dot(half.normal, rel);
@@ -53,12 +59,12 @@ template <class Real, class Last, class Report>
 }
 
 template <class Real, class Last, class Report>
-void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+[[gnu::noinline]] void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray,
+                                 const Known& known, const Stretch<Real, Last>& stretch,
+                                 Report&& report) {
     if (known.start_face != none) return;  // a line meets a plane once
     const Real slope = dot(half.normal, ray.dir);
-    if (slope == 0 || misses(half, ray, slope, stretch)) return;
-    crossing(half, ray, slope, stretch, report);
+    if (slope != 0) crossing(half, ray, slope, stretch, report);
 }
 
 /// The crossing's point, put back onto the plane.
@@ -68,14 +74,14 @@ SurfacePoint<Real> surface_point(const HalfSpace<Real>& half, const Ray<Real>& r
     // Along an axis that lies in the plane the anchor may slide to where the ray starts: the offset
     // is then small and keeps its digits however far all this is from the origin.
     const Vec3<Real> rel = start_from(ray, half.point);
-    Vec3<Real> anchor(0);
-    Vec3<Real> offset(0);
+    Vec3<Real> anchor = half.point;
+    Vec3<Real> offset = rel + t * ray.dir;
     Vec3<Real> rest(0);
     for (int i = 0; i < 3; ++i) {
-        const bool across = half.normal[i] != 0;
-        anchor[i] = across ? half.point[i] : ray.origin[i];
-        offset[i] = (across ? rel[i] : Real(0)) + t * ray.dir[i];
-        rest[i] = across ? Real(0) : ray.origin_lo[i];
+        if (half.normal[i] != 0) continue;
+        anchor[i] = ray.origin[i];
+        offset[i] = t * ray.dir[i];
+        rest[i] = ray.origin_lo[i];
     }
     offset -= dot(half.normal, offset) * half.normal;
     const Real error = gamma<Real>(4) * dot(absolute(half.normal), absolute(offset));

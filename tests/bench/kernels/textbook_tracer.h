@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tests/bench/kernels/textbook_shapes.h"
-#include "tracer/query.h"
+#include "tracer/shadow.h"
 
 namespace lancer {
 
@@ -14,6 +14,41 @@ Four<Real> widened_far(const Four<Real>& far) {
     return far;
 }
 
+// One plane after the other: a textbook's crossing costs no more than a filter.
+
+template <methods::Shapes Real>
+class NearestPlanes<Real> {
+  public:
+    Real limit() const { return std::numeric_limits<Real>::infinity(); }
+    template <class Bodies, class Last, class Sees, class Report>
+    [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
+                                     const Start<Real>&, const Acceptance<Real, Bodies>& accept,
+                                     const Stretch<Real, Last>& stretch, const Sees& sees,
+                                     const Report& report) {
+        const auto end = static_cast<std::uint32_t>(world.primitives.size());
+        for (std::uint32_t i = world.bounded; i < end; ++i) {
+            if (sees(i))
+                crossings(plane_of(world, i), ray, accept.known(i), stretch,
+                          [&](const Crossing<Real>& c) { report(i, c); });
+        }
+    }
+    bool wait() const { return false; }
+    template <class Last, class Report>
+    void form(const World<Real>&, const Ray<Real>&, const Stretch<Real, Last>&, const Report&) {}
+};
+
+template <methods::Shapes Real, class Bodies, class Last, class Sees, class Report>
+[[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
+                                                     const Acceptance<Real, Bodies>& accept,
+                                                     const Stretch<Real, Last>& stretch,
+                                                     const Sees& is_seen, const Report& report) {
+    const auto end = static_cast<std::uint32_t>(world.primitives.size());
+    for (std::uint32_t i = world.bounded; i < end; ++i) {
+        if (is_seen(i)) crossings(plane_of(world, i), ray, accept.known(i), stretch, report);
+        if (stretch.last.survey.way == Way::blocked) return;
+    }
+}
+
 template <methods::Contacts Real, class Bodies>
 class Acceptance<Real, Bodies> {
   public:
@@ -22,6 +57,8 @@ class Acceptance<Real, Bodies> {
     Known known(std::uint32_t) const { return {}; }
     bool operator()(std::uint32_t, const Crossing<Real>& c) const { return c.t > nearest_; }
     Real met_at(const Crossing<Real>& c) const { return c.t; }
+    bool starts_on(std::uint32_t) const { return false; }
+    bool lets_pass(std::uint32_t, bool) const { return true; }
 
   private:
     Real nearest_;
@@ -31,6 +68,7 @@ template <methods::Contacts Real>
 class NearestContact<Real> {
   public:
     Real limit() const { return nearest_.t; }
+    void expect(Real) {}
     void add(const Hit<Real>& hit) {
         if (hit.t < nearest_.t) nearest_ = hit;
     }
