@@ -46,7 +46,7 @@ class OpaqueTracer {
 
   private:
     Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, Real weight, int level) {
-        if (!is_followed(world_, weight, level)) return Vec3<Real>(0);
+        if (!is_followed(world_, weight, level)) return Vec3<Real>{};
         const NoMedia nowhere;
         Contact<Real> contact = nearest_contact(world_, ray, start, nowhere);
         if (contact.empty()) {

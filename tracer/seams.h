@@ -1,7 +1,7 @@
-// What of a contact is a surface at all.
+// What of a contact is a surface at all, and which of them show.
 #pragma once
 
-#include "tracer/query.h"
+#include "tracer/surface.h"
 
 namespace lancer {
 
@@ -65,6 +65,26 @@ void drop_seams(const World<Real>& world, Contact<Real>& contact, Real ratio) {
         drop_seams(world, contact);
     else
         drop_second_faces(world, contact);
+}
+
+template <class Real>
+using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
+
+/// The surfaces of an ordered contact that show: an opaque one hides all others.
+template <class Real>
+Surfaces<Real> shown(const World<Real>& world, const Contact<Real>& contact, const Ray<Real>& ray) {
+    Surfaces<Real> surfaces;
+    for (const Hit<Real>& hit : contact) surfaces.push_back(make_surface(world, ray, hit));
+    const Surface<Real>* opaque = nullptr;
+    for (const Surface<Real>& s : surfaces) {
+        const bool earlier = opaque == nullptr || s.primitive->object < opaque->primitive->object;
+        if (!(max_component(s.passing) > 0) && earlier) opaque = &s;
+    }
+    if (opaque != nullptr) {
+        const Surface<Real> only = *opaque;
+        surfaces.assign(1, only);
+    }
+    return surfaces;
 }
 
 }  // namespace lancer

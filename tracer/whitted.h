@@ -66,7 +66,7 @@ class Whitted {
             Step c{ray, touched, media, after};
             if (world_.has_media) c.ratio = index_of(world_, media) / index_of(world_, after);
             drop_seams(world_, contact, c.ratio);
-            const Surfaces surfaces = resolve(contact, ray);
+            const Surfaces<Real> surfaces = shown(world_, contact, ray);
             Share share;
             if (!surfaces.empty()) {
                 if (lighting_.witness != nullptr) lighting_.witness->remember(surfaces.front(), t);
@@ -105,25 +105,6 @@ class Whitted {
         return media;
     }
 
-    using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
-
-    /// The surfaces of an ordered contact that show: an opaque one hides all others.
-    Surfaces resolve(const Contact<Real>& contact, const Ray<Real>& ray) const {
-        Surfaces surfaces;
-        for (const Hit<Real>& hit : contact) surfaces.push_back(make_surface(world_, ray, hit));
-        const Surface<Real>* opaque = nullptr;
-        for (const Surface<Real>& s : surfaces) {
-            const bool earlier =
-                opaque == nullptr || s.primitive->object < opaque->primitive->object;
-            if (!(max_component(s.passing) > 0) && earlier) opaque = &s;
-        }
-        if (opaque != nullptr) {
-            const Surface<Real> only = *opaque;
-            surfaces.assign(1, only);
-        }
-        return surfaces;
-    }
-
     void bend(const Surface<Real>& front, Step& c) const {
         c.bent = c.ray.dir;
         if (c.ratio == 1) return;
@@ -140,10 +121,12 @@ class Whitted {
     };
 
     /// Adds what the contact itself sends, and what it mirrors, to `result`.
-    Share shade(const Surfaces& surfaces, const Step& c, const Vec3<Real>& through, Real weight,
+    Share shade(const Surfaces<Real>& surfaces, const Step& c, const Vec3<Real>& through, Real weight,
                 int level, Vec3<Real>& result) {
         Share share;
-        bool fresnel_done = false;  // one optical step in a contact, so one Fresnel term
+        // One optical step in a contact, so one Fresnel term.
+        const auto weighted = std::find_if(surfaces.begin(), surfaces.end(),
+                                           [](const Surface<Real>& s) { return s.finish->fresnel; });
         for (const Surface<Real>& s : surfaces) {
             lighting_.note(event_of(s));
             result += through * share.light * lighting_.local_color(s, c);
@@ -155,10 +138,8 @@ class Whitted {
                 return {false, share.light, share.weight * max_component(s.passing)};
             }
             Vec3<Real> mirror = s.finish->reflection;
-            if (s.finish->fresnel) {
-                mirror = fresnel_done ? Vec3<Real>{} : mirror * fresnel(s, c);
-                fresnel_done = true;
-            }
+            if (s.finish->fresnel)
+                mirror = &s == &*weighted ? mirror * fresnel(s, c) : Vec3<Real>{};
             const Real mirror_weight = weight * share.weight * max_component(mirror);
             if (max_component(mirror) > 0 && is_followed(world_, mirror_weight, level + 1)) {
                 ++lighting_.counts.reflected;
