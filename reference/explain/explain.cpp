@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
 #include "reference/compare/compare.h"
+#include "reference/explain/speck.h"
 
 namespace lancer::reference {
 
@@ -71,49 +71,6 @@ void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limit
     } else if (reached_at(probe, x, y, pixel.theirs, limits.digits, limits.interior)) {
         pixel.pixel_class = PixelClass::steep;
     }
-}
-
-/// The mean of what lies around a pixel's centre on opposite sides, for four pairs.
-using Around = std::array<Color, 4>;
-template <class At>
-Around means(const At& at) {
-    Around out;
-    std::size_t i = 0;
-    for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}})
-        out[i++] = 0.5 * (at(x, y) + at(-x, -y));
-    return out;
-}
-
-/// Whether two pictures agree around a pixel. One pair can lie along a streak.
-bool agree_around(const Around& a, const Around& b, double tolerance) {
-    int pairs = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) pairs += distance(a[i], b[i]) <= tolerance;
-    return pairs >= 2;
-}
-
-/// Whether the other program's value is a speck in its own picture, which has ours around it, or
-/// what its rules make of ours. `pitch` pixels away from it.
-bool is_denied(const DifferentPixel& pixel, const Thresholds& limits, const SecondLook& second,
-               double pitch) {
-    const Image image = second.around(pixel.x, pixel.y, pitch);
-    const Around theirs = means([&](int x, int y) { return color_at(image, 1 + x, 1 + y); });
-    Around ours;
-    ours.fill(pixel.ours);
-    if (agree_around(theirs, ours, limits.interior)) return true;
-    if (!second.by_rules || !second.without) return false;
-    const double x = pixel.x + 0.5;
-    const double y = pixel.y + 0.5;
-    const Around by_rules = means([&](int i, int j) {
-        return second.by_rules(x + i * pitch, y + j * pitch).color;
-    });
-    return agree_around(theirs, by_rules, limits.interior) &&
-           distance(second.without(x, y).color, pixel.ours) <= limits.tight;
-}
-
-/// Streaks of a solver that errs may be wider than an edge may be off.
-bool is_speck(const DifferentPixel& pixel, const Thresholds& limits, const SecondLook& second) {
-    return is_denied(pixel, limits, second, limits.radius) ||
-           is_denied(pixel, limits, second, 10 * limits.radius);
 }
 
 /// The picture, where registration looks, as the rules have it: a rule that dims a slope would else
@@ -269,7 +226,7 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
             if (pixel.pixel_class == PixelClass::unexplained && look_again.around &&
                 asked < most_specks) {
                 ++asked;
-                if (is_speck(pixel, limits, look_again)) pixel.pixel_class = PixelClass::speck;
+                if (is_speck(pixel, look, limits, look_again)) pixel.pixel_class = PixelClass::speck;
             }
         }
         if (is_explained(pixel.pixel_class)) {

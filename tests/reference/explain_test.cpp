@@ -239,6 +239,38 @@ TEST(Judge, BelievesTheOtherPictureAroundAPixelMoreThanInIt) {
     EXPECT_FALSE(judge_speck({other, other, other, other, b, other, other, other, other}).pass);
 }
 
+TEST(Judge, BelievesTheOtherPictureAroundAPixelOnAnEdge) {
+    // Ours is bright from the centre on to the right; theirs has a third value on the edge.
+    const World world;
+    Image ours = tiny::Tracer(world).render();
+    Image theirs = ours;
+    const auto value = [](double x) { return x >= 10.5 ? 0.8 : 0.2; };
+    const Probe probe = [&](double x, double y) {
+        ProbeSample sample = tiny::Tracer(world).probe(x, y);
+        if (std::abs(x - 10.5) < 0.5 && std::abs(y - 10.5) < 0.5) sample.color = Color(value(x));
+        return sample;
+    };
+    for (int c = 0; c < 3; ++c) {
+        ours.pixel(10, 10)[c] = 0.8;
+        theirs.pixel(10, 10)[c] = 0.5;
+    }
+    const auto judged = [&](double left) {
+        const auto around = [&](int x, int, double pitch) {
+            Image image(3, 3);
+            for (int i = 0; i < 9; ++i)
+                for (int c = 0; c < 3; ++c)
+                    image.pixel(i % 3, i / 3)[c] =
+                        i == 4 ? 0.5 : i % 3 == 0 ? left : value(x + 0.5 + (i % 3 - 1) * pitch);
+            return image;
+        };
+        return judge(ours, theirs, probe, {}, {{}, {}, around});
+    };
+    const Judgement edge = judged(0.2);
+    EXPECT_TRUE(edge.pass) << summary(edge);
+    EXPECT_EQ(edge.count(PixelClass::speck), 1u);
+    EXPECT_FALSE(judged(0.3).pass) << "another value on one side";
+}
+
 TEST(Judge, AllowsFewSpecks) {
     const Judgement many = judge_speck({0, 0, 0, 0, 0.05, 0, 0, 0, 0}, 20);
     EXPECT_FALSE(many.pass);
