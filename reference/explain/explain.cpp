@@ -51,6 +51,11 @@ bool is_known(const DifferentPixel& pixel, double tolerance, const Thresholds& l
            distance(second.without(x, y).color, pixel.ours) <= limits.tight;
 }
 
+/// Whether rounding can put the edge on the other side of the centre.
+bool is_rounding(const Crossing& crossing, const Thresholds& limits) {
+    return std::hypot(crossing.dx, crossing.dy) <= limits.rounding;
+}
+
 /// What explains that our pixel is not `pixel.theirs`.
 void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
               const SecondLook& second) {
@@ -61,10 +66,12 @@ void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limit
     const double x = pixel.x + 0.5;
     const double y = pixel.y + 0.5;
     auto crossing = find_crossing(probe, x, y, pixel.theirs, limits.radius, limits.interior);
-    // Behind an edge, too, the other program follows its own rules.
-    if (!crossing && second.by_rules)
-        crossing =
+    if (second.by_rules && !(crossing && is_rounding(*crossing, limits))) {
+        // The other program follows its own rules behind an edge, too, and where it lies.
+        const auto by_rules =
             find_crossing(second.by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
+        if (by_rules && (!crossing || is_rounding(*by_rules, limits))) crossing = by_rules;
+    }
     if (crossing) {
         pixel.pixel_class = class_of(crossing->kind);
         pixel.offset = {crossing->dx, crossing->dy};

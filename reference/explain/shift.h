@@ -19,7 +19,7 @@ struct Shift {
 
     double length() const;
     /// True when the displacement is longer than `least` pixels and, along its own direction,
-    /// longer than `sigmas` of its standard errors.
+    /// longer than `sigmas` of its standard errors; of more where few offsets tell the error.
     bool is_significant(double least, double sigmas) const;
 };
 

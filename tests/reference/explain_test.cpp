@@ -460,7 +460,12 @@ TEST(Registration, HasNothingToSayOfAFlatPicture) {
 }
 
 TEST(MeanOffset, IsSignificantWhenAllLieOnOneSide) {
-    EXPECT_TRUE(mean_offset({{2e-3, 0}, {3e-3, 1e-4}, {1e-3, -1e-4}}).is_significant(1e-4, 3));
+    const std::vector<Offset> aside{{2e-3, 0},    {3e-3, 1e-4},  {1e-3, -1e-4}, {2e-3, 1e-4},
+                                    {2.5e-3, 0}, {1.5e-3, 1e-4}, {2e-3, -1e-4}};
+    EXPECT_TRUE(mean_offset(aside).is_significant(1e-4, 3));
+    EXPECT_FALSE(mean_offset({{2e-3, 0}, {3e-3, 1e-4}, {1e-3, -1e-4}}).is_significant(1e-4, 3))
+        << "three may lie on one side by chance";
+    EXPECT_FALSE(mean_offset({{1.2e-3, 0}, {1e-3, 1e-4}}).is_significant(1e-4, 3));
     EXPECT_FALSE(mean_offset({{2e-3, 0}, {-3e-3, 0}, {1e-3, 0}}).is_significant(1e-4, 3));
     EXPECT_FALSE(mean_offset({{2e-12, 0}, {3e-12, 0}, {2.5e-12, 0}}).is_significant(1e-4, 3));
 }
