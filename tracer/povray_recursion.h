@@ -1,5 +1,5 @@
-// A second recursion, for the judge of pictures. It goes by POV-Ray 3.7's rules or, without them, by
-// our own: docs/export.md, "Known differences". Crossings, surfaces and the terms of shading are
+// A second recursion, for the judge of pictures. It goes by POV-Ray 3.7's rules or, without them,
+// by our own: docs/export.md, "Known differences". Crossings, surfaces and the terms of shading are
 // those of whitted.h; which hits count, what a ray is taken to be in, what dims it and which
 // branches are followed is said here once more, and more simply: a ray starts a small way off the
 // surface that it leaves, and of what lies in one place it meets one surface. What POV-Ray does was
@@ -21,8 +21,8 @@ struct PovRayAround {
     MediaList passed;
     /// Without the rules: the bodies that it is in by the sides of surfaces, which absorb.
     MediaList inside;
-    Real unit = 1;        ///< POV-Ray's unit of length in the world's
-    bool by_rules = true; ///< else as Lancer has it
+    Real unit = 1;         ///< POV-Ray's unit of length in the world's
+    bool by_rules = true;  ///< else as Lancer has it
 
     Real nearest_hit(const Ray<Real>& ray) const {
         return by_rules ? Real(1e-4L) * unit : off_the_surface(ray);
@@ -38,8 +38,8 @@ struct PovRayAround {
     }
 };
 
-/// The one surface that is seen first between two parameters of the ray; of several in one place the
-/// first declared, though POV-Ray promises none.
+/// The one surface that is seen first between two parameters of the ray; of several in one place
+/// the first declared, though POV-Ray promises none.
 template <class Real>
 std::optional<Hit<Real>> povray_hit(const World<Real>& world, const Ray<Real>& ray, Real first,
                                     Real last, Shadows shadows) {

@@ -93,7 +93,8 @@ class Renderer {
 std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings);
 
 /// For the judge: a renderer with a recursion of its own (tracer/povray_recursion.h), by POV-Ray's
-/// rules or, where they are not `followed`, by ours; in double precision. Throws SceneError as compile() does.
+/// rules or, where they are not `followed`, by ours; in double precision. Throws SceneError as
+/// compile() does.
 std::unique_ptr<Renderer> compile_by_povray(const Scene& scene, const Settings& settings,
                                             const PovRayRules& rules);
 

@@ -121,12 +121,13 @@ class Whitted {
     };
 
     /// Adds what the contact itself sends, and what it mirrors, to `result`.
-    Share shade(const Surfaces<Real>& surfaces, const Step& c, const Vec3<Real>& through, Real weight,
-                int level, Vec3<Real>& result) {
+    Share shade(const Surfaces<Real>& surfaces, const Step& c, const Vec3<Real>& through,
+                Real weight, int level, Vec3<Real>& result) {
         Share share;
         // One optical step in a contact, so one Fresnel term.
-        const auto weighted = std::find_if(surfaces.begin(), surfaces.end(),
-                                           [](const Surface<Real>& s) { return s.finish->fresnel; });
+        const auto weighted =
+            std::find_if(surfaces.begin(), surfaces.end(),
+                         [](const Surface<Real>& s) { return s.finish->fresnel; });
         for (const Surface<Real>& s : surfaces) {
             lighting_.note(event_of(s));
             result += through * share.light * lighting_.local_color(s, c);

@@ -233,7 +233,8 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
             if (pixel.pixel_class == PixelClass::unexplained && look_again.around &&
                 asked < most_specks) {
                 ++asked;
-                if (is_speck(pixel, look, limits, look_again)) pixel.pixel_class = PixelClass::speck;
+                if (is_speck(pixel, look, limits, look_again))
+                    pixel.pixel_class = PixelClass::speck;
             }
         }
         if (is_explained(pixel.pixel_class)) {

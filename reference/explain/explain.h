@@ -95,15 +95,15 @@ struct SecondLook {
     // The picture by a recursion that is not our renderer's own.
     Probe by_rules;  ///< by the other program's rules: it gives the other program's values
     Probe without;   ///< the same recursion without them: it gives ours
-    /// The other program's picture of 3 x 3 points, `pitch` pixels apart, around the centre of pixel
-    /// (x, y). Costs a run of that program.
+    /// The other program's picture of 3 x 3 points, `pitch` pixels apart, around the centre of
+    /// pixel (x, y). Costs a run of that program.
     std::function<Image(int x, int y, double pitch)> around{};
 };
 
 /// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
-/// `ours` at the pixels' centres. A pixel is a known difference, shown by number, when the second look
-/// has the other program's value by its rules, and ours without them: so it is the rules that make
-/// the difference, and not a fault of our recursion.
+/// `ours` at the pixels' centres. A pixel is a known difference, shown by number, when the second
+/// look has the other program's value by its rules, and ours without them: so it is the rules that
+/// make the difference, and not a fault of our recursion.
 ///
 /// Explaining could excuse anything, so it is bounded. Rounding moves an edge by 10^-12 pixel or,
 /// where POV-Ray keeps single precision, by 10^-5: then hardly any pixel lies between the two

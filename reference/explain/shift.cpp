@@ -41,8 +41,8 @@ Shift solve(const NormalEquations& n) {
     return shift;
 }
 
-/// As many standard errors as are as rare in the mean of `count` offsets, whose own spread tells the
-/// error, as `sigmas` are where the error is known: Student, "The Probable Error of a Mean",
+/// As many standard errors as are as rare in the mean of `count` offsets, whose own spread tells
+/// the error, as `sigmas` are where the error is known: Student, "The Probable Error of a Mean",
 /// Biometrika 6(1) 1908. Of two offsets every fifth pair passes 3.
 double as_few(double sigmas, std::size_t count) {
     const boost::math::normal known;

@@ -35,8 +35,7 @@ bool is_on_edge(const DifferentPixel& pixel, const Probe& probe, const Threshold
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
             if (i == 0 && j == 0) continue;
-            const Color ours =
-                probe(pixel.x + 0.5 + i * pitch, pixel.y + 0.5 + j * pitch).color;
+            const Color ours = probe(pixel.x + 0.5 + i * pitch, pixel.y + 0.5 + j * pitch).color;
             const Color theirs = color_at(around, 1 + i, 1 + j);
             if (distance(ours, theirs) > limits.interior) return false;
             of_one_side = of_one_side || distance(ours, pixel.ours) <= limits.interior;
@@ -58,9 +57,8 @@ bool is_denied(const DifferentPixel& pixel, const Probe& probe, const Thresholds
     if (!second.by_rules || !second.without) return false;
     const double x = pixel.x + 0.5;
     const double y = pixel.y + 0.5;
-    const Around by_rules = means([&](int i, int j) {
-        return second.by_rules(x + i * pitch, y + j * pitch).color;
-    });
+    const Around by_rules =
+        means([&](int i, int j) { return second.by_rules(x + i * pitch, y + j * pitch).color; });
     return agree_around(theirs, by_rules, limits.interior) &&
            distance(second.without(x, y).color, pixel.ours) <= limits.tight;
 }

@@ -21,9 +21,9 @@ struct ExportView {
 
 /// 3 x 3 points of a picture instead of the whole, for asking POV-Ray about one pixel.
 struct CloseUp {
-    double x = 0;  ///< of the middle one, in pixels from the left
-    double y = 0;  ///< and from the top
-    double pitch = 0;  ///< pixels
+    double x = 0;                     ///< of the middle one, in pixels from the left
+    double y = 0;                     ///< and from the top
+    double pitch = 0;                 ///< pixels
     static constexpr int points = 3;  ///< on each side
 };
 

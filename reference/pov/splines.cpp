@@ -140,7 +140,9 @@ Net bezier_net(const Patch& patch, std::size_t row, std::size_t column, PowerOfT
 }
 
 /// Each 4 x 4 points of a net make a patch.
-std::size_t patches_along(std::uint32_t points) { return points - 3; }
+std::size_t patches_along(std::uint32_t points) {
+    return points - 3;
+}
 
 int halvings(const Scene& scene) {
     std::vector<std::size_t> patches;

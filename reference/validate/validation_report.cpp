@@ -83,8 +83,7 @@ void add_markers(ReportEntry& entry, const Validation& v) {
             text += fmt::format("; edge at ({:.2g}, {:.2g}) pixel from the centre", p.offset.x,
                                 p.offset.y);
         }
-        if (p.pixel_class == PixelClass::speck)
-            text += "; POV-Ray has our value around it";
+        if (p.pixel_class == PixelClass::speck) text += "; POV-Ray has our value around it";
         if (p.pixel_class == PixelClass::known)
             text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
         entry.markers.push_back({p.x, p.y, kind, std::move(text)});

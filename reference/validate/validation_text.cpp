@@ -20,8 +20,7 @@ std::string table_row(const Validation& v, std::size_t name_width) {
         const Judgement& j = v.judgement;
         row += fmt::format(" {:>9.2g} {:>7.3f} % {:>9} {:>11} {:>6}", j.interior_max,
                            j.tight_share * 100, j.explained + j.count(PixelClass::speck),
-                           j.count(PixelClass::unexplained),
-                           j.count(PixelClass::known));
+                           j.count(PixelClass::unexplained), j.count(PixelClass::known));
         row += fmt::format(" {:>5.2f} s {:>7.2f} s{}", v.our_seconds, v.pov_seconds,
                            v.from_cache ? " (kept)" : "");
     }

@@ -259,8 +259,10 @@ TEST(Judge, BelievesTheOtherPictureAroundAPixelOnAnEdge) {
             Image image(3, 3);
             for (int i = 0; i < 9; ++i)
                 for (int c = 0; c < 3; ++c)
-                    image.pixel(i % 3, i / 3)[c] =
-                        i == 4 ? 0.5 : i % 3 == 0 ? left : value(x + 0.5 + (i % 3 - 1) * pitch);
+                    image.pixel(i % 3, i / 3)[c] = i == 4 ? 0.5
+                                                   : i % 3 == 0
+                                                       ? left
+                                                       : value(x + 0.5 + (i % 3 - 1) * pitch);
             return image;
         };
         return judge(ours, theirs, probe, {}, {{}, {}, around});
@@ -460,7 +462,7 @@ TEST(Registration, HasNothingToSayOfAFlatPicture) {
 }
 
 TEST(MeanOffset, IsSignificantWhenAllLieOnOneSide) {
-    const std::vector<Offset> aside{{2e-3, 0},    {3e-3, 1e-4},  {1e-3, -1e-4}, {2e-3, 1e-4},
+    const std::vector<Offset> aside{{2e-3, 0},   {3e-3, 1e-4},   {1e-3, -1e-4}, {2e-3, 1e-4},
                                     {2.5e-3, 0}, {1.5e-3, 1e-4}, {2e-3, -1e-4}};
     EXPECT_TRUE(mean_offset(aside).is_significant(1e-4, 3));
     EXPECT_FALSE(mean_offset({{2e-3, 0}, {3e-3, 1e-4}, {1e-3, -1e-4}}).is_significant(1e-4, 3))

@@ -17,8 +17,8 @@ class Validate : public WithPovRay {
   protected:
     /// `fault` is done to our scene alone; not to what the judge's own recursion sees of it, where
     /// the fault shall be one of our recursion. POV-Ray's picture is made once and kept.
-    Validation validate(const Scene& scene, const Fault& fault = {}, const Expectations& expect = {},
-                        bool of_recursion = false) {
+    Validation validate(const Scene& scene, const Fault& fault = {},
+                        const Expectations& expect = {}, bool of_recursion = false) {
         ValidationJob job;
         job.name = "test";
         job.scene = std::make_shared<const Scene>(scene);
