@@ -1,6 +1,7 @@
 #include "reference/explain/edges.h"
 
-#include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace lancer::reference {
 
@@ -11,42 +12,70 @@ constexpr double step = 0.01;
 /// A step this many times larger than the slopes on its two sides predict is none of theirs.
 constexpr double sharpness = 4;
 
-bool is_edge(const Image& image, const Probe& probe, int x, int y, int dx, int dy) {
-    const double ax = x + 0.5;
-    const double ay = y + 0.5;
-    const double bx = ax + dx;
-    const double by = ay + dy;
-    const ProbeSample a = probe(ax, ay);
-    const ProbeSample b = probe(bx, by);
-    if (a.object != b.object || a.lit != b.lit) return true;
-    const double slope_a = distance(probe(ax + dx * step, ay + dy * step).color, a.color) / step;
-    const double slope_b = distance(probe(bx - dx * step, by - dy * step).color, b.color) / step;
-    const double contrast = distance(color_at(image, x, y), color_at(image, x + dx, y + dy));
-    return contrast > sharpness * std::max(slope_a, slope_b);
-}
+/// Looks for edges between neighbours. Each look is a ray with all that follows, so none is taken
+/// twice, and none that cannot matter any more.
+class EdgeFinder {
+  public:
+    EdgeFinder(const Image& image, const Probe& probe, double contrast)
+        : image_(image), probe_(probe), contrast_(contrast), centres_(pixels()), edges_(pixels()) {}
+
+    Mask run() {
+        for (int y = 0; y < image_.height; ++y) {
+            for (int x = 0; x < image_.width; ++x) {
+                if (x + 1 < image_.width) look(x, y, 1, 0);
+                if (y + 1 < image_.height) look(x, y, 0, 1);
+            }
+        }
+        return std::move(edges_);
+    }
+
+  private:
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height);
+    }
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) +
+               static_cast<std::size_t>(x);
+    }
+
+    void look(int x, int y, int dx, int dy) {
+        std::uint8_t& here = edges_[at(x, y)];
+        std::uint8_t& there = edges_[at(x + dx, y + dy)];
+        if ((here != 0 && there != 0) || !is_edge(x, y, dx, dy)) return;
+        here = there = 1;
+    }
+
+    bool is_edge(int x, int y, int dx, int dy) {
+        const double contrast = distance(color_at(image_, x, y), color_at(image_, x + dx, y + dy));
+        if (!(contrast >= contrast_)) return false;
+        const ProbeSample& a = centre(x, y);
+        const ProbeSample& b = centre(x + dx, y + dy);
+        if (a.object != b.object || a.lit != b.lit) return true;
+        return contrast > sharpness * slope(x, y, dx, dy) &&
+               contrast > sharpness * slope(x + dx, y + dy, -dx, -dy);
+    }
+
+    const ProbeSample& centre(int x, int y) {
+        std::optional<ProbeSample>& sample = centres_[at(x, y)];
+        if (!sample) sample = probe_(x + 0.5, y + 0.5);
+        return *sample;
+    }
+    double slope(int x, int y, int dx, int dy) {
+        const Color beside = probe_(x + 0.5 + dx * step, y + 0.5 + dy * step).color;
+        return distance(beside, centre(x, y).color) / step;
+    }
+
+    const Image& image_;
+    const Probe& probe_;
+    double contrast_;
+    std::vector<std::optional<ProbeSample>> centres_;
+    Mask edges_;
+};
 
 }  // namespace
 
 Mask find_edges(const Image& image, const Probe& probe, double contrast) {
-    Mask edges(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-    const auto flag = [&](int x, int y) -> std::uint8_t& {
-        return edges[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                     static_cast<std::size_t>(x)];
-    };
-    const auto look = [&](int x, int y, int dx, int dy) {
-        const double here = distance(color_at(image, x, y), color_at(image, x + dx, y + dy));
-        if (here >= contrast && is_edge(image, probe, x, y, dx, dy)) {
-            flag(x, y) = 1;
-            flag(x + dx, y + dy) = 1;
-        }
-    };
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            if (x + 1 < image.width) look(x, y, 1, 0);
-            if (y + 1 < image.height) look(x, y, 0, 1);
-        }
-    }
-    return edges;
+    return EdgeFinder(image, probe, contrast).run();
 }
 
 }  // namespace lancer::reference

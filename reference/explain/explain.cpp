@@ -56,6 +56,23 @@ bool is_rounding(const Crossing& crossing, const Thresholds& limits) {
     return std::hypot(crossing.dx, crossing.dy) <= limits.rounding;
 }
 
+/// Whether the rules change anything within the radius: a search for edges is thousands of looks.
+bool part_nearby(const Probe& probe, const Probe& by_rules, double x, double y,
+                 const Thresholds& limits) {
+    if (!by_rules) return false;
+    for (const double far : {0.0, 0.25, 0.5, 1.0}) {
+        for (const double dx : {-far, 0.0, far}) {
+            for (const double dy : {-far, 0.0, far}) {
+                const double px = x + dx * limits.radius;
+                const double py = y + dy * limits.radius;
+                if (distance(probe(px, py).color, by_rules(px, py).color) > limits.tight)
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
 /// What explains that our pixel is not `pixel.theirs`.
 void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limits,
               const SecondLook& second) {
@@ -66,7 +83,9 @@ void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limit
     const double x = pixel.x + 0.5;
     const double y = pixel.y + 0.5;
     auto crossing = find_crossing(probe, x, y, pixel.theirs, limits.radius, limits.interior);
-    if (second.by_rules && !(crossing && is_rounding(*crossing, limits))) {
+    const bool may_lie_elsewhere = crossing ? !is_rounding(*crossing, limits)
+                                            : part_nearby(probe, second.by_rules, x, y, limits);
+    if (second.by_rules && may_lie_elsewhere) {
         // The other program follows its own rules behind an edge, too, and where it lies.
         const auto by_rules =
             find_crossing(second.by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
@@ -80,14 +99,16 @@ void classify(DifferentPixel& pixel, const Probe& probe, const Thresholds& limit
     }
 }
 
-/// The picture, where registration looks, as the rules have it: a rule that dims a slope would else
-/// pass for a shift.
-Image drawn_anew(Image picture, const Probe& by_rules, const Mask& skip) {
+/// The picture, where registration looks and differs by `least`, as the rules have it: a rule that
+/// dims a slope would else pass for a shift.
+Image drawn_anew(Image picture, const Probe& by_rules, const Mask& skip,
+                 const std::vector<double>& differences, double least) {
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
-            if (skip[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                     static_cast<std::size_t>(x)] != 0)
-                continue;
+            const std::size_t i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                static_cast<std::size_t>(x);
+            if (skip[i] != 0 || differences[i] < least) continue;
             const Color color = by_rules(x + 0.5, y + 0.5).color;
             for (int c = 0; c < 3; ++c) picture.pixel(x, y)[c] = color[c];
         }
@@ -253,7 +274,9 @@ Judgement judge(const Image& ours, const Image& theirs, const Probe& probe,
     result.edge_shift = mean_offset(offsets);
     const bool by_rules_too = second.by_rules && result.count(PixelClass::known) > 0;
     result.picture_shift = register_pictures(
-        by_rules_too ? drawn_anew(ours, look_again.by_rules, skip) : ours, theirs, skip);
+        by_rules_too ? drawn_anew(ours, look_again.by_rules, skip, differences, limits.tight / 2)
+                     : ours,
+        theirs, skip);
     decide(result, limits);
     return result;
 }
