@@ -33,14 +33,9 @@ class EdgeFinder {
     std::size_t pixels() const {
         return static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height);
     }
-    std::size_t at(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) +
-               static_cast<std::size_t>(x);
-    }
-
     void look(int x, int y, int dx, int dy) {
-        std::uint8_t& here = edges_[at(x, y)];
-        std::uint8_t& there = edges_[at(x + dx, y + dy)];
+        std::uint8_t& here = edges_[index_of(image_, x, y)];
+        std::uint8_t& there = edges_[index_of(image_, x + dx, y + dy)];
         if ((here != 0 && there != 0) || !is_edge(x, y, dx, dy)) return;
         here = there = 1;
     }
@@ -56,7 +51,7 @@ class EdgeFinder {
     }
 
     const ProbeSample& centre(int x, int y) {
-        std::optional<ProbeSample>& sample = centres_[at(x, y)];
+        std::optional<ProbeSample>& sample = centres_[index_of(image_, x, y)];
         if (!sample) sample = probe_(x + 0.5, y + 0.5);
         return *sample;
     }

@@ -60,13 +60,16 @@ bool is_rounding(const Crossing& crossing, const Thresholds& limits) {
 bool part_nearby(const Probe& probe, const Probe& by_rules, double x, double y,
                  const Thresholds& limits) {
     if (!by_rules) return false;
-    for (const double far : {0.0, 0.25, 0.5, 1.0}) {
-        for (const double dx : {-far, 0.0, far}) {
-            for (const double dy : {-far, 0.0, far}) {
-                const double px = x + dx * limits.radius;
-                const double py = y + dy * limits.radius;
-                if (distance(probe(px, py).color, by_rules(px, py).color) > limits.tight)
-                    return true;
+    const auto part = [&](double dx, double dy) {
+        const double px = x + dx * limits.radius;
+        const double py = y + dy * limits.radius;
+        return distance(probe(px, py).color, by_rules(px, py).color) > limits.tight;
+    };
+    if (part(0, 0)) return true;
+    for (const double far : {0.25, 0.5, 1.0}) {
+        for (int i = -1; i <= 1; ++i) {
+            for (int j = -1; j <= 1; ++j) {
+                if ((i != 0 || j != 0) && part(i * far, j * far)) return true;
             }
         }
     }
@@ -105,9 +108,7 @@ Image drawn_anew(Image picture, const Probe& by_rules, const Mask& skip,
                  const std::vector<double>& differences, double least) {
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
-            const std::size_t i =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                static_cast<std::size_t>(x);
+            const std::size_t i = index_of(picture, x, y);
             if (skip[i] != 0 || differences[i] < least) continue;
             const Color color = by_rules(x + 0.5, y + 0.5).color;
             for (int c = 0; c < 3; ++c) picture.pixel(x, y)[c] = color[c];

@@ -2,6 +2,7 @@
 // tracer.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -29,6 +30,12 @@ using Probe = std::function<ProbeSample(double x, double y)>;
 /// The largest absolute difference of the components.
 inline double distance(const Color& a, const Color& b) {
     return max_component(absolute(a - b));
+}
+
+/// Where a pixel stands in a list of all of them, rows from the top.
+inline std::size_t index_of(const Image& image, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+           static_cast<std::size_t>(x);
 }
 
 inline Color color_at(const Image& image, int x, int y) {

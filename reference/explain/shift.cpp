@@ -65,10 +65,7 @@ bool Shift::is_significant(double least, double sigmas) const {
 
 Shift register_pictures(const Image& ours, const Image& theirs, const Mask& skip) {
     NormalEquations equations;
-    const auto skipped = [&](int x, int y) {
-        return skip[static_cast<std::size_t>(y) * static_cast<std::size_t>(ours.width) +
-                    static_cast<std::size_t>(x)] != 0;
-    };
+    const auto skipped = [&](int x, int y) { return skip[index_of(ours, x, y)] != 0; };
     for (int y = 1; y + 1 < ours.height; ++y) {
         for (int x = 1; x + 1 < ours.width; ++x) {
             if (skipped(x, y) || skipped(x - 1, y) || skipped(x + 1, y) || skipped(x, y - 1) ||
