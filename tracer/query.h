@@ -213,6 +213,9 @@ void candidates(const World<Real>& world, const Ray<Real>& ray, const Stretch<Re
 template <class Real>
 class NearestContact {
   public:
+    /// \param contact  empty; will have the nearest hit in front, for the caller to reorder
+    explicit NearestContact(Contact<Real>& contact) : contact_(contact) {}
+
     Real limit() const { return limit_; }
 
     /// Something will be added later, beyond which nothing belongs to the contact.
@@ -222,42 +225,43 @@ class NearestContact {
 
     void add(const Hit<Real>& hit) {
         if (!(hit.t <= limit_)) return;
-        if (nearest_.t < infinity && !before(hit, nearest_)) {
-            others_.push_back(hit);
-            return;
+        if (contact_.empty()) {
+            contact_.push_back(hit);
+        } else {
+            Hit<Real>& nearest = contact_.front();
+            if (!before(hit, nearest)) {
+                contact_.push_back(hit);
+                return;
+            }
+            const Hit<Real> second = nearest;
+            nearest = hit;
+            // The others lie beyond the second, so they are out of reach when it is.
+            if (second.t > hit.t + 8 * hit.error)
+                contact_.resize(1);
+            else
+                contact_.push_back(second);
         }
-        const Real new_limit = hit.t + 8 * hit.error;
-        // The others lie beyond the nearest one, so they are out of reach when it is.
-        if (nearest_.t > new_limit)
-            others_.clear();
-        else
-            others_.push_back(nearest_);
-        nearest_ = hit;
-        limit_ = new_limit;
+        limit_ = hit.t + 8 * hit.error;
     }
 
-    /// The contact, nearest hit first for the caller to reorder; empty when nothing was met.
-    Contact<Real> take() const {
-        Contact<Real> contact;
-        if (!(nearest_.t < infinity)) return contact;
-        contact.push_back(nearest_);
-        for (const Hit<Real>& h : others_) {
-            const Real own = std::min(h.error, 7 * nearest_.error);
-            if (h.t - nearest_.t <= nearest_.error + own) contact.push_back(h);
-        }
-        return contact;
+    /// Nothing will be added any more: drops what is not in the contact after all.
+    void settle() {
+        if (contact_.size() < 2) return;
+        const Hit<Real> nearest = contact_.front();
+        const auto apart = [&](const Hit<Real>& h) {
+            const Real own = std::min(h.error, 7 * nearest.error);
+            return !(h.t - nearest.t <= nearest.error + own);
+        };
+        contact_.erase(std::remove_if(contact_.begin() + 1, contact_.end(), apart), contact_.end());
     }
 
   private:
-    static constexpr Real infinity = std::numeric_limits<Real>::infinity();
-
     static bool before(const Hit<Real>& a, const Hit<Real>& b) {
         if (a.t != b.t) return a.t < b.t;
         return a.surface.primitive < b.surface.primitive;
     }
-    Hit<Real> nearest_{infinity, 0, {}};
-    Contact<Real> others_;  ///< not nearer than `nearest_`, and perhaps too far by now
-    Real limit_ = infinity;
+    Contact<Real>& contact_;  ///< others than the first may be too far by now
+    Real limit_ = std::numeric_limits<Real>::infinity();
 };
 
 /// Sorts a contact as it is crossed: entries before exits, each in the order of declaration.
@@ -351,7 +355,8 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
                               Shadows shadows = Shadows::ignore) {
     using std::abs;
     const Acceptance<Real, Bodies> accept(world, start, bodies);
-    NearestContact<Real> found;
+    Contact<Real> contact;
+    NearestContact<Real> found(contact);
     NearestPlanes<Real> planes;
     const auto limit = [&] { return found.limit(); };
     // A body that the ray is in may be left a rounding before the start.
@@ -378,7 +383,8 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
         return false;
     });
     if (planes.wait()) planes.form(world, ray, stretch, report_plane);
-    return found.take();
+    found.settle();
+    return contact;
 }
 
 }  // namespace lancer

@@ -67,18 +67,18 @@ class Acceptance<Real, Bodies> {
 template <methods::Contacts Real>
 class NearestContact<Real> {
   public:
+    explicit NearestContact(Contact<Real>& contact) : contact_(contact) {}
     Real limit() const { return nearest_.t; }
     void expect(Real) {}
     void add(const Hit<Real>& hit) {
         if (hit.t < nearest_.t) nearest_ = hit;
     }
-    Contact<Real> take() const {
-        Contact<Real> contact;
-        if (nearest_.t < std::numeric_limits<Real>::infinity()) contact.push_back(nearest_);
-        return contact;
+    void settle() {
+        if (nearest_.t < std::numeric_limits<Real>::infinity()) contact_.push_back(nearest_);
     }
 
   private:
+    Contact<Real>& contact_;
     Hit<Real> nearest_{std::numeric_limits<Real>::infinity(), 0, {}};
 };
 
