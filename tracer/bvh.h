@@ -1,10 +1,11 @@
-// The acceleration structure: a bounding volume hierarchy with four children a node.
+// The acceleration structure: a bounding volume hierarchy with several children a node.
 //
 // It decides nothing about the picture: boxes are widened, slab tests are conservative in the ray's
 // number type, and leaves alone compute hits. So its shape never changes a pixel.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -14,14 +15,24 @@
 
 namespace lancer {
 
-/// Four boxes side by side, so that one instruction can test several. Empty slots hold an empty
-/// box.
+/// Children of a node: what two instructions can test.
+template <class Real>
+inline constexpr std::size_t bvh_width = std::is_same_v<Real, float> ? 8 : 4;
+
+/// One number of each child.
+template <class Real>
+using Children = Lanes<Real, bvh_width<Real>>;
+
+/// Boxes side by side, so that one instruction can test several. Empty slots hold an empty box.
 template <class Real>
 struct BvhNode {
-    std::array<std::array<Real, 4>, 3> min;
-    std::array<std::array<Real, 4>, 3> max;
-    std::array<std::uint32_t, 4> child;  ///< a node, or the first item of a leaf; none: empty slot
-    std::array<std::uint32_t, 4> count;  ///< items in the leaf; 0: an inner node
+    template <class T>
+    using PerChild = std::array<T, bvh_width<Real>>;
+
+    std::array<PerChild<Real>, 3> min;
+    std::array<PerChild<Real>, 3> max;
+    PerChild<std::uint32_t> child;  ///< a node, or the first item of a leaf; none: empty slot
+    PerChild<std::uint32_t> count;  ///< items in the leaf; 0: an inner node
 };
 
 template <class Real>
@@ -39,10 +50,11 @@ template <class Real>
 Bvh<Real> build_bvh(const std::vector<Bounds<Real>>& boxes, std::uint32_t leaf_size, int threads);
 
 /// A level of splits after which the builder halves the items whatever that costs, so that the
-/// depth, and with it the stack of a traversal, is bounded: 64 + log2(2^32) levels, three children
-/// waiting on each.
+/// depth, and with it the stack of a traversal, is bounded: 64 + log2(2^32) levels, all children
+/// but one waiting on each.
 inline constexpr int bvh_sah_levels = 64;
-inline constexpr int bvh_stack_size = 3 * (bvh_sah_levels + 32) + 4;
+template <class Real>
+inline constexpr std::size_t bvh_stack_size = bvh_width<Real>*(bvh_sah_levels + 32);
 
 /// A ray as the tests of one pair of a box's planes see it.
 ///
@@ -59,16 +71,16 @@ struct SlabRay {
 };
 
 /// Cuts the parameters between `near` and `far` down to those between the planes of each of the
-/// four boxes that are perpendicular to `axis`. NaN (0 times infinity, a ray in a face of the box)
+/// boxes that are perpendicular to `axis`. NaN (0 times infinity, a ray in a face of the box)
 /// loses every comparison and keeps the box.
 template <class Real>
 [[gnu::always_inline]] inline void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis,
-                                                const SlabRay<Real>& ray, Four<Real>& near,
-                                                Four<Real>& far) {
-    const Four<Real> enter(ray.negative ? node.max[axis] : node.min[axis]);
-    const Four<Real> leave(ray.negative ? node.min[axis] : node.max[axis]);
-    const Four<Real> origin(ray.origin);
-    const Four<Real> inv(ray.inv_dir);
+                                                const SlabRay<Real>& ray, Children<Real>& near,
+                                                Children<Real>& far) {
+    const Children<Real> enter(ray.negative ? node.max[axis] : node.min[axis]);
+    const Children<Real> leave(ray.negative ? node.min[axis] : node.max[axis]);
+    const Children<Real> origin(ray.origin);
+    const Children<Real> inv(ray.inv_dir);
     near = larger((enter - origin) * inv, near);
     far = smaller((leave - origin) * inv, far);
 }
@@ -76,8 +88,8 @@ template <class Real>
 /// Far distances are multiplied by it, after the minimum, which it commutes with: Ize, "Robust BVH
 /// Ray Traversal", JCGT 2(2) 2013, with two more roundings for the low part of the origin.
 template <class Real>
-Four<Real> widened_far(const Four<Real>& far) {
-    return far * Four<Real>(1 + 2 * gamma<Real>(5));
+Children<Real> widened_far(const Children<Real>& far) {
+    return far * Children<Real>(1 + 2 * gamma<Real>(5));
 }
 
 /// Visits the leaves that the ray may meet at a parameter in [t_min, limit()], near ones first.
@@ -91,38 +103,49 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
         std::uint32_t count;
         Real near;
     };
-    std::array<Waiting, bvh_stack_size> stack;
-    int top = 0;
-    stack[0] = {0, 0, t_min};
+    std::array<Waiting, bvh_stack_size<Real>> stack;
+    std::size_t top = 0;
     const SlabRay<Real> x(ray, 0);
     const SlabRay<Real> y(ray, 1);
     const SlabRay<Real> z(ray, 2);
-    while (top >= 0) {
-        const Waiting item = stack[static_cast<std::size_t>(top--)];
-        if (item.near > limit()) continue;
+    Waiting item{0, 0, t_min};
+    for (;;) {
         if (item.count != 0) {
             if (leaf(item.child, item.count)) return;
-            continue;
-        }
-        const BvhNode<Real>& node = bvh.nodes[item.child];
-        Four<Real> nearest(t_min);
-        Four<Real> farthest(limit());
-        cut_to_slabs(node, 0, x, nearest, farthest);
-        cut_to_slabs(node, 1, y, nearest, farthest);
-        cut_to_slabs(node, 2, z, nearest, farthest);
-        const std::array<Real, 4> near = nearest.numbers();
-        const std::array<Real, 4> far = widened_far(farthest).numbers();
-        // Insertion sort, farthest first, straight into the stack.
-        const int base = top;
-        for (std::size_t c = 0; c < 4; ++c) {
-            if (!(near[c] <= far[c]) || node.child[c] == none) continue;
-            int at = top++;
-            while (at > base && stack[static_cast<std::size_t>(at)].near < near[c]) {
-                stack[static_cast<std::size_t>(at + 1)] = stack[static_cast<std::size_t>(at)];
-                --at;
+        } else {
+            const BvhNode<Real>& node = bvh.nodes[item.child];
+            Children<Real> nearest(t_min);
+            Children<Real> farthest(limit());
+            cut_to_slabs(node, 0, x, nearest, farthest);
+            cut_to_slabs(node, 1, y, nearest, farthest);
+            cut_to_slabs(node, 2, z, nearest, farthest);
+            unsigned met = at_most(nearest, widened_far(farthest));
+            if (met != 0) {
+                const std::array<Real, bvh_width<Real>> near = nearest.numbers();
+                const auto waiting = [&](int c) {
+                    const auto i = static_cast<std::size_t>(c);
+                    return Waiting{node.child[i], node.count[i], near[i]};
+                };
+                item = waiting(std::countr_zero(met));
+                met &= met - 1;
+                if (met == 0) continue;
+                // Insertion sort, farthest first, straight into the stack; the nearest stays out.
+                const std::size_t base = top;
+                for (; met != 0; met &= met - 1) {
+                    Waiting other = waiting(std::countr_zero(met));
+                    if (other.near < item.near) std::swap(item, other);
+                    std::size_t at = top++;
+                    for (; at > base && stack[at - 1].near < other.near; --at)
+                        stack[at] = stack[at - 1];
+                    stack[at] = other;
+                }
+                continue;
             }
-            stack[static_cast<std::size_t>(at + 1)] = {node.child[c], node.count[c], near[c]};
         }
+        do {
+            if (top == 0) return;
+            item = stack[--top];
+        } while (item.near > limit());
     }
 }
 

@@ -111,26 +111,28 @@ struct Builder {
         return static_cast<std::uint32_t>(middle - begin);
     }
 
+    static constexpr std::size_t width = bvh_width<Real>;
+
     /// Appends the node over `r` and all below it; returns its index.
     std::uint32_t build(const Range& r, std::vector<BvhNode<Real>>& nodes, int threads) const {
-        // Two-way splits of the largest parts until there are four.
-        std::array<Range, 4> part{r};
+        // Two-way splits of the largest parts until there are enough.
+        std::array<Range, width> part{r};
         std::size_t parts = 1;
-        while (parts < 4) {
-            std::size_t largest = 4;
+        while (parts < width) {
+            std::size_t largest = width;
             for (std::size_t i = 0; i < parts; ++i) {
                 if (part[i].count > leaf_size &&
-                    (largest == 4 || part[i].count > part[largest].count))
+                    (largest == width || part[i].count > part[largest].count))
                     largest = i;
             }
-            if (largest == 4) break;
+            if (largest == width) break;
             const auto [left, right] = split(part[largest]);
             part[largest] = left;
             part[parts++] = right;
         }
         const auto index = static_cast<std::uint32_t>(nodes.size());
         nodes.emplace_back();
-        std::array<std::future<std::vector<BvhNode<Real>>>, 4> elsewhere;
+        std::array<std::future<std::vector<BvhNode<Real>>>, width> elsewhere;
         if (threads > 1 && r.count > parallel_items) {
             for (std::size_t c = 0; c < parts; ++c) {
                 if (part[c].count <= leaf_size) continue;
@@ -141,7 +143,7 @@ struct Builder {
                 });
             }
         }
-        for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t c = 0; c < width; ++c) {
             const Bounds<Real> box = c < parts ? widened(bounds(part[c])) : Bounds<Real>{};
             std::uint32_t child = c < parts ? part[c].first : none;
             std::uint32_t count = c < parts ? part[c].count : 0;
@@ -168,7 +170,7 @@ struct Builder {
                                 std::vector<BvhNode<Real>>&& more) {
         const auto offset = static_cast<std::uint32_t>(nodes.size());
         for (BvhNode<Real>& node : more) {
-            for (std::size_t c = 0; c < 4; ++c) {
+            for (std::size_t c = 0; c < width; ++c) {
                 const bool inner = node.count[c] == 0 && node.child[c] != none;
                 if (inner) node.child[c] += offset;
             }

@@ -76,7 +76,7 @@ void faces_near(const TriangleMesh<Real>& mesh, const Vec3<Real>& point, Real re
     while (!waiting.empty()) {
         const BvhNode<Real>& node = mesh.bvh.nodes[waiting.back()];
         waiting.pop_back();
-        for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t c = 0; c < node.child.size(); ++c) {
             if (node.child[c] == none) continue;
             bool holds = true;
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -86,7 +86,7 @@ void faces_near(const TriangleMesh<Real>& mesh, const Vec3<Real>& point, Real re
             if (!holds) continue;
             if (node.count[c] == 0) waiting.push_back(node.child[c]);
             for (std::uint32_t i = 0; i < node.count[c]; ++i)
-                visit(mesh.bvh.order[node.child[c] + i]);
+                visit(mesh.leaves[node.child[c]].face[i]);
         }
     }
 }

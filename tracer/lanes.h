@@ -1,6 +1,10 @@
 // A few numbers side by side.
 #pragma once
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -74,7 +78,37 @@ class Lanes {
         return a;
     }
 
+    /// Bit i: whether number i of `a` is less than that of `b`.
+    friend unsigned less(const Lanes& a, const Lanes& b) {
+        return bits_of(a, b, [](auto x, auto y) { return x < y; });
+    }
+    /// Bit i: whether number i of `a` is at most that of `b`.
+    friend unsigned at_most(const Lanes& a, const Lanes& b) {
+        return bits_of(a, b, [](auto x, auto y) { return x <= y; });
+    }
+
   private:
+    template <class Compare>
+    static unsigned bits_of(const Lanes& a, const Lanes& b, Compare compare) {
+        unsigned bits = 0;
+#ifdef __SSE2__
+        if constexpr (has_vectors) {
+            for (std::size_t i = 0; i < parts; ++i) {
+                const auto mask = compare(a.part_[i], b.part_[i]);
+                if constexpr (std::same_as<Real, double>)
+                    bits |= unsigned(_mm_movemask_pd(__m128d(mask))) << (2 * i);
+                else
+                    bits |= unsigned(_mm_movemask_ps(__m128(mask))) << (4 * i);
+            }
+            return bits;
+        }
+#endif
+        const std::array<Real, count> x = a.numbers();
+        const std::array<Real, count> y = b.numbers();
+        for (std::size_t i = 0; i < count; ++i) bits |= (compare(x[i], y[i]) ? 1U : 0U) << i;
+        return bits;
+    }
+
     Part part_[parts];
 };
 
@@ -82,5 +116,17 @@ template <class Real>
 using Two = Lanes<Real, 2>;
 template <class Real>
 using Four = Lanes<Real, 4>;
+
+/// The same numbers in the wider type.
+inline Four<double> widened(const Four<float>& four) {
+    const std::array<float, 4> n = four.numbers();
+    return Four<double>(std::array<double, 4>{n[0], n[1], n[2], n[3]});
+}
+/// Each rounded to the narrower one.
+inline Four<float> narrowed(const Four<double>& four) {
+    const std::array<double, 4> n = four.numbers();
+    return Four<float>(std::array<float, 4>{static_cast<float>(n[0]), static_cast<float>(n[1]),
+                                            static_cast<float>(n[2]), static_cast<float>(n[3])});
+}
 
 }  // namespace lancer

@@ -47,6 +47,25 @@ std::vector<Vec3<Real>> given_normals(const Mesh& mesh) {
     return normals;
 }
 
+/// Puts the faces of each leaf of the tree side by side, in the order of the nodes.
+template <class Real>
+void gather_leaves(TriangleMesh<Real>& mesh) {
+    for (BvhNode<Real>& node : mesh.bvh.nodes) {
+        for (std::size_t c = 0; c < node.child.size(); ++c) {
+            if (node.count[c] == 0) continue;
+            TriangleLeaf<Real> leaf;
+            for (std::uint32_t i = 0; i < node.count[c]; ++i) {
+                const std::uint32_t face = mesh.bvh.order[node.child[c] + i];
+                leaf.set(i, face, mesh.triangle(face));
+            }
+            node.child[c] = static_cast<std::uint32_t>(mesh.leaves.size());
+            mesh.leaves.push_back(leaf);
+        }
+    }
+    mesh.leaves.shrink_to_fit();
+    mesh.bvh.order = {};
+}
+
 /// \param exponent  vertices are multiplied by 2^exponent
 template <class Real>
 std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mesh>& source,
@@ -75,7 +94,8 @@ std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mes
         for (const std::uint32_t corner : face) box.extend(mesh->vertices[corner]);
         boxes.push_back(box);
     }
-    mesh->bvh = build_bvh(boxes, 4, threads);
+    mesh->bvh = build_bvh(boxes, TriangleLeaf<Real>::size, threads);
+    gather_leaves(*mesh);
     return mesh;
 }
 

@@ -106,12 +106,13 @@ Shear<Real> shear_of(const Ray<Real>& ray) {
 /// How far a triangle's edge function by plain differences and that by exact ones may lie apart.
 /// With S the size of start and corners from their plain errors, plain differences are off by 18 u
 /// S, sheared coordinates (up to 2 S) by 43 u S, the difference of two of their products by 360 u
-/// S^2; from exact differences by 72 u S^2. Where the start is one number both are the same.
+/// S^2; from exact differences by 72 u S^2. Where the start is one number both are the same, or
+/// intersect() takes exact ones anyway.
 ///
 /// \param reach  bound on the corners' coordinates
 template <class Real>
 Real edge_noise(const Ray<Real>& ray, Real reach) {
-    if (ray.whole) return 0;
+    if (ray.whole || has_fast_wider<Real>) return 0;
     const Real size = reach + size_of_place(ray.plain_error);
     return gamma<Real>(512) * size * size;
 }
@@ -119,7 +120,7 @@ Real edge_noise(const Ray<Real>& ray, Real reach) {
 /// The ray's start relative to `point`.
 template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
-    if (ray.whole) return ray.origin - point;  // what the difference then comes to
+    if (ray.whole && !has_fast_wider<Real>) return ray.origin - point;  // the difference, then
     return difference(ray.origin, ray.origin_lo, point);
 }
 

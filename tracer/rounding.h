@@ -97,13 +97,22 @@ template <class Real>
     return two_sum(hi, lo);
 }
 
+/// Whether a type that the processor computes with as fast holds a sum of two of these numbers: so
+/// exact differences cost little more than plain ones.
+template <class Real>
+inline constexpr bool has_fast_wider = std::is_same_v<Real, float>;
+
 /// (hi + lo) - point, the exact difference rounded once, to within u^2. So it is the same wherever
 /// both stand, as long as their coordinates are representable there.
 template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>& lo,
                                                     const Vec3<Real>& point) {
-    const VectorSum<Real> d = two_sum(hi, -point);
-    return d.hi + (d.lo + lo);
+    if constexpr (has_fast_wider<Real>) {
+        return Vec3<Real>((Vec3<double>(hi) + Vec3<double>(lo)) - Vec3<double>(point));
+    } else {
+        const VectorSum<Real> d = two_sum(hi, -point);
+        return d.hi + (d.lo + lo);
+    }
 }
 
 }  // namespace lancer

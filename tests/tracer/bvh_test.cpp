@@ -10,22 +10,29 @@
 namespace lancer {
 namespace {
 
+template <class Real>
 struct Sampler {
     std::mt19937_64 engine;
-    double operator()(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine);
+    Real operator()(double low, double high) {
+        return static_cast<Real>(std::uniform_real_distribution<double>(low, high)(engine));
     }
-    Vec3d vector(double low, double high) {
-        const double x = (*this)(low, high);
-        const double y = (*this)(low, high);
+    Vec3<Real> vector(double low, double high) {
+        const Real x = (*this)(low, high);
+        const Real y = (*this)(low, high);
         return {x, y, (*this)(low, high)};
     }
 };
 
-bool visits(const Bvh<double>& bvh, const Ray<double>& ray, std::uint32_t item) {
+template <class Real>
+class BvhOf : public testing::Test {};
+using NumberTypes = testing::Types<float, double, long double>;
+TYPED_TEST_SUITE(BvhOf, NumberTypes);
+
+template <class Real>
+bool visits(const Bvh<Real>& bvh, const Ray<Real>& ray, std::uint32_t item) {
     bool seen = false;
     traverse(
-        bvh, ray, 0.0, [] { return std::numeric_limits<double>::infinity(); },
+        bvh, ray, Real(0), [] { return std::numeric_limits<Real>::infinity(); },
         [&](std::uint32_t first, std::uint32_t count) {
             for (std::uint32_t i = first; i < first + count; ++i) seen |= bvh.order[i] == item;
             return seen;
@@ -34,24 +41,27 @@ bool visits(const Bvh<double>& bvh, const Ray<double>& ray, std::uint32_t item) 
 }
 
 /// Boxes of all sizes around `center`, flat ones among them.
-std::vector<Bounds<double>> random_boxes(Sampler& random, const Vec3d& center, std::size_t count) {
-    std::vector<Bounds<double>> boxes;
+template <class Real>
+std::vector<Bounds<Real>> random_boxes(Sampler<Real>& random, const Vec3<Real>& center,
+                                       std::size_t count) {
+    std::vector<Bounds<Real>> boxes;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3d at = center + random.vector(-1, 1);
-        Vec3d reach = random.vector(0, 1) * std::pow(10.0, random(-9, -0.5));
+        const Vec3<Real> at = center + random.vector(-1, 1);
+        Vec3<Real> reach = random.vector(0, 1) * std::pow(Real(10), random(-9, -0.5));
         if (i % 3 == 0) reach[static_cast<int>(i / 3 % 3)] = 0;
         boxes.push_back(around(at, reach));
     }
     return boxes;
 }
 
-TEST(Bvh, EveryItemIsInExactlyOneLeaf) {
-    Sampler random{std::mt19937_64(1)};
+TYPED_TEST(BvhOf, EveryItemIsInExactlyOneLeaf) {
+    using Real = TypeParam;
+    Sampler<Real> random{std::mt19937_64(1)};
     for (const std::size_t count : {1u, 2u, 5u, 100u, 3000u}) {
-        const Bvh<double> bvh = build_bvh(random_boxes(random, Vec3d(0), count), 2, 1);
+        const Bvh<Real> bvh = build_bvh(random_boxes(random, Vec3<Real>(0), count), 2, 1);
         std::vector<int> seen(count, 0);
-        for (const BvhNode<double>& node : bvh.nodes) {
-            for (std::size_t c = 0; c < 4; ++c) {
+        for (const BvhNode<Real>& node : bvh.nodes) {
+            for (std::size_t c = 0; c < node.child.size(); ++c) {
                 for (std::uint32_t i = 0; i < node.count[c]; ++i)
                     ++seen[bvh.order[node.child[c] + i]];
             }
@@ -60,27 +70,29 @@ TEST(Bvh, EveryItemIsInExactlyOneLeaf) {
     }
 }
 
-TEST(Bvh, ARayTowardsAPointOfABoxVisitsItHoweverFarTheWorldIsMoved) {
-    for (const double far : {0.0, 1.0, 1e6, 1e12}) {
-        Sampler random{std::mt19937_64(7)};
-        const Vec3d center(far, -far, far / 3);
-        const std::vector<Bounds<double>> boxes = random_boxes(random, center, 500);
-        const Bvh<double> bvh = build_bvh(boxes, 2, 1);
+TYPED_TEST(BvhOf, ARayTowardsAPointOfABoxVisitsItHoweverFarTheWorldIsMoved) {
+    using Real = TypeParam;
+    for (const Real far : {Real(0), Real(1), Real(1e6), Real(1e12)}) {
+        Sampler<Real> random{std::mt19937_64(7)};
+        const Vec3<Real> center(far, -far, far / 3);
+        const std::vector<Bounds<Real>> boxes = random_boxes(random, center, 500);
+        const Bvh<Real> bvh = build_bvh(boxes, 2, 1);
         int missed = 0;
         for (std::uint32_t item = 0; item < boxes.size(); ++item) {
             for (int k = 0; k < 8; ++k) {
-                const Bounds<double>& b = boxes[item];
+                const Bounds<Real>& b = boxes[item];
                 // A corner or a point of the box; from outside, along an axis or at a slant.
-                Vec3d target = b.min + random.vector(0, 1) * (b.max - b.min);
+                Vec3<Real> target = b.min + random.vector(0, 1) * (b.max - b.min);
                 for (int i = 0; i < 3; ++i) target[i] = std::clamp(target[i], b.min[i], b.max[i]);
-                if (k % 2 == 0) target = Vec3d(b.min.x, b.max.y, b.min.z);
-                Vec3d away = random.vector(-1, 1);
-                if (k == 3) away = Vec3d(0, 0, 2);
-                if (k == 4) away = Vec3d(0, -2, 0);
-                const Vec3d origin = target + away;
-                const Vec3d way = target - origin;
+                if (k % 2 == 0) target = Vec3<Real>(b.min.x, b.max.y, b.min.z);
+                Vec3<Real> away = random.vector(-1, 1);
+                if (k == 3) away = Vec3<Real>(0, 0, 2);
+                if (k == 4) away = Vec3<Real>(0, -2, 0);
+                const Vec3<Real> origin = target + away;
+                const Vec3<Real> way = target - origin;
                 if (length(way) == 0) continue;
-                missed += !visits(bvh, make_ray(origin, Vec3d(0), normalize(way), 0.0), item);
+                missed +=
+                    !visits(bvh, make_ray(origin, Vec3<Real>(0), normalize(way), Real(0)), item);
             }
         }
         EXPECT_EQ(missed, 0) << "moved by " << far;
@@ -88,7 +100,7 @@ TEST(Bvh, ARayTowardsAPointOfABoxVisitsItHoweverFarTheWorldIsMoved) {
 }
 
 TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
-    Sampler random{std::mt19937_64(3)};
+    Sampler<double> random{std::mt19937_64(3)};
     const std::vector<Bounds<double>> boxes = random_boxes(random, Vec3d(0), 60000);
     const Bvh<double> one = build_bvh(boxes, 4, 1);
     const Bvh<double> four = build_bvh(boxes, 4, 4);

@@ -1,12 +1,13 @@
 // Meshes: flat arrays and a tree of their own, shared by all the places where the mesh stands.
 #pragma once
 
+#include <bit>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "tracer/bvh.h"
-#include "tracer/shapes/triangle.h"
+#include "tracer/shapes/triangle_leaf.h"
 
 namespace lancer {
 
@@ -18,6 +19,7 @@ struct TriangleMesh {
     std::vector<Vec3<Real>> normals;  ///< given or averaged, unit; empty when nobody interpolates
     const std::vector<Mesh::Corners>* normal_faces = nullptr;  ///< into `normals`, one per face
     Bvh<Real> bvh;                                             ///< over the faces
+    std::vector<TriangleLeaf<Real>> leaves;  ///< what the children of `bvh` that are leaves name
     std::vector<std::uint8_t>
         inward;  ///< of a body: 1 for faces that look inside; empty: none does
 
@@ -42,16 +44,19 @@ void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const K
     const TriangleMesh<Real>& mesh = *instance.mesh;
     std::optional<Shear<Real>> shear;  // a ray that reaches no leaf does without
     traverse(mesh.bvh, ray, stretch.first, stretch.last,
-             [&](std::uint32_t first, std::uint32_t count) {
+             [&](std::uint32_t index, std::uint32_t count) {
                  if (!shear) {
                      shear = shear_of(ray);
                      shear->noise = edge_noise(ray, mesh.bvh.reach);
                  }
-                 for (std::uint32_t i = first; i < first + count; ++i) {
-                     const std::uint32_t face = mesh.bvh.order[i];
+                 const TriangleLeaf<Real>& leaf = mesh.leaves[index];
+                 unsigned left = may_meet(leaf, ray, *shear) & ((1U << count) - 1);
+                 for (; left != 0; left &= left - 1) {
+                     const auto i = static_cast<std::size_t>(std::countr_zero(left));
+                     const std::uint32_t face = leaf.face[i];
                      if (face == known.start_face) continue;
                      TriangleHit<Real> hit;
-                     if (intersect(mesh.triangle(face), ray, *shear, stretch, hit)) {
+                     if (intersect_exactly(leaf.triangle(i), ray, *shear, stretch, hit)) {
                          const bool inward = !mesh.inward.empty() && mesh.inward[face] != 0;
                          if (report(Crossing<Real>{hit.t, hit.error, face, hit.entering != inward},
                                     hit.u, hit.v))

@@ -131,14 +131,29 @@ template <class Real, class Last>
     return t + hit.error >= stretch.first;
 }
 
-/// The same. Most triangles are told apart by plain differences, before those of a start of two
-/// numbers: see edge_noise().
+/// A corner relative to the ray's start as filters take it: by the plain difference, or where the
+/// exact one costs as little, by that.
+template <class Real>
+[[gnu::always_inline]] inline Vec3<Real> about_from_start(const Ray<Real>& ray,
+                                                          const Vec3<Real>& corner) {
+    if constexpr (has_fast_wider<Real>) return -start_from(ray, corner);
+    return corner - ray.origin;
+}
+
+/// Whether plain numbers do not tell that the ray passes the triangle by: see edge_noise().
+template <class Real>
+[[gnu::always_inline]] inline bool may_meet(const TriangleSheet<Real>& triangle,
+                                            const Ray<Real>& ray, const Shear<Real>& s) {
+    return !Sheared<Real>(s, about_from_start(ray, triangle.a), about_from_start(ray, triangle.b),
+                          about_from_start(ray, triangle.c))
+                .passes_by(s.noise);
+}
+
+/// The same as intersect_exactly(), with the filter before it.
 template <class Real, class Last>
 bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& s,
                const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
-    const Sheared<Real> plain(s, triangle.a - ray.origin, triangle.b - ray.origin,
-                              triangle.c - ray.origin);
-    return !plain.passes_by(s.noise) && intersect_exactly(triangle, ray, s, stretch, hit);
+    return may_meet(triangle, ray, s) && intersect_exactly(triangle, ray, s, stretch, hit);
 }
 
 /// A bound on the distance from the plane of edges `ab`, `ac` of a point computed as u ab + v ac:

@@ -99,9 +99,44 @@ SurfacePoint<Real> surface_point(const HalfSpace<Real>& half, const Ray<Real>& r
     return textbook_point(ray, t, half.normal);
 }
 
+/// Four at once up to the weights, times the square of the determinant: no division.
+template <methods::Shapes Real>
+[[gnu::always_inline]] inline unsigned may_meet(const TriangleLeaf<Real>& leaf,
+                                                const Ray<Real>& ray, const Shear<Real>&) {
+    using Place = std::array<Four<Real>, 3>;
+    const auto cross = [](const Place& a, const Place& b) {
+        return Place{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                     a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto dot = [](const Place& a, const Place& b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    };
+    const auto from_a = [&](const std::array<std::array<Real, 4>, 3>& to) {
+        const auto& a = leaf.corner[0];
+        return Place{Four<Real>(to[0]) - Four<Real>(a[0]), Four<Real>(to[1]) - Four<Real>(a[1]),
+                     Four<Real>(to[2]) - Four<Real>(a[2])};
+    };
+    const auto all = [](const Vec3<Real>& v) {
+        return Place{Four<Real>(v.x), Four<Real>(v.y), Four<Real>(v.z)};
+    };
+    const Place ab = from_a(leaf.corner[1]);
+    const Place ac = from_a(leaf.corner[2]);
+    const Place dir = all(ray.dir);
+    const Place p = cross(dir, ac);
+    const Four<Real> det = dot(ab, p);
+    const auto& a = leaf.corner[0];
+    const Place start = all(ray.origin);
+    const Place rel{start[0] - Four<Real>(a[0]), start[1] - Four<Real>(a[1]),
+                    start[2] - Four<Real>(a[2])};
+    const Four<Real> u = dot(rel, p) * det;
+    const Four<Real> v = dot(dir, cross(rel, ab)) * det;
+    return at_most(Four<Real>(Real(0)), smaller(smaller(u, v), det * det - u - v));
+}
+
 template <methods::Shapes Real, class Last>
-bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>&,
-               const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
+bool intersect_exactly(const TriangleSheet<Real>& triangle, const Ray<Real>& ray,
+                       const Shear<Real>&, const Stretch<Real, Last>& stretch,
+                       TriangleHit<Real>& hit) {
     const Vec3<Real> ab = triangle.b - triangle.a;
     const Vec3<Real> ac = triangle.c - triangle.a;
     const Vec3<Real> p = cross(ray.dir, ac);
@@ -118,6 +153,12 @@ bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const 
     hit.error = textbook_epsilon;
     hit.entering = det > 0;
     return hit.t > stretch.first && !stretch.ends_before(hit.t);
+}
+
+template <methods::Shapes Real, class Last>
+bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& shear,
+               const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
+    return intersect_exactly(triangle, ray, shear, stretch, hit);
 }
 
 template <methods::Shapes Real, class Last, class Report>

@@ -10,7 +10,7 @@ namespace lancer {
 // Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986: without widening.
 
 template <methods::Tree Real>
-Four<Real> widened_far(const Four<Real>& far) {
+Children<Real> widened_far(const Children<Real>& far) {
     return far;
 }
 
