@@ -223,24 +223,10 @@ class NearestContact {
         if (limit < limit_) limit_ = limit;
     }
 
-    void add(const Hit<Real>& hit) {
+    [[gnu::always_inline]] void add(const Hit<Real>& hit) {
         if (!(hit.t <= limit_)) return;
-        if (contact_.empty()) {
-            contact_.push_back(hit);
-        } else {
-            Hit<Real>& nearest = contact_.front();
-            if (!before(hit, nearest)) {
-                contact_.push_back(hit);
-                return;
-            }
-            const Hit<Real> second = nearest;
-            nearest = hit;
-            // The others lie beyond the second, so they are out of reach when it is.
-            if (second.t > hit.t + 8 * hit.error)
-                contact_.resize(1);
-            else
-                contact_.push_back(second);
-        }
+        if (!contact_.empty()) return add_to_others(hit);
+        contact_.push_back(hit);
         limit_ = hit.t + 8 * hit.error;
     }
 
@@ -256,6 +242,21 @@ class NearestContact {
     }
 
   private:
+    [[gnu::noinline]] void add_to_others(const Hit<Real>& hit) {
+        Hit<Real>& nearest = contact_.front();
+        if (!before(hit, nearest)) {
+            contact_.push_back(hit);
+            return;
+        }
+        const Hit<Real> second = nearest;
+        nearest = hit;
+        limit_ = hit.t + 8 * hit.error;
+        // The others lie beyond the second, so they are out of reach when it is.
+        if (second.t > limit_)
+            contact_.resize(1);
+        else
+            contact_.push_back(second);
+    }
     static bool before(const Hit<Real>& a, const Hit<Real>& b) {
         if (a.t != b.t) return a.t < b.t;
         return a.surface.primitive < b.surface.primitive;

@@ -47,10 +47,14 @@ class Guesses {
         for (const Crossing<double>& c : found) {
             const double shift = draw.decade(-16, 0) * std::abs(c.t);
             const auto end = [&] { return c.t + shift; };
-            bool met = false;
-            const auto meets = [&](const Crossing<double>& other) { met |= other.t == c.t; };
-            crossings(shape, ray, Known{}, Stretch<double, decltype(end)>{c.t - shift, end}, meets);
-            EXPECT_TRUE(met) << "case " << draw.number() << ": a crossing was left out";
+            const Stretch<double, decltype(end)> near{c.t - shift, end};
+            // A query about all crossings, and one about those that go in, or out, alone.
+            for (const Known& known : {Known{}, Known{none, !c.entering, true}}) {
+                bool met = false;
+                const auto meets = [&](const Crossing<double>& other) { met |= other.t == c.t; };
+                crossings(shape, ray, known, near, meets);
+                EXPECT_TRUE(met) << "case " << draw.number() << ": a crossing was left out";
+            }
         }
     }
     void check(const Guess& guess, const std::vector<Crossing<double>>& found, const Draw& draw) {

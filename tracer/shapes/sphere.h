@@ -25,6 +25,9 @@ struct BallSolid {
 /// Where it is 4096 times as large as that noise, the textbook's roots are off by less than half
 /// the chord / 4096, and both_crossings() bounds its own by less than 1/2000 of that: the place is
 /// off by 25 u T, T the root of the terms, while half the chord is more than 620 sqrt(u) T / |d|.
+/// So the chord is clear of the stretch when its middle lies before the first parameter, or beyond
+/// the last, by more than 65/64 of half of it, which takes no root to tell; and nothing is asked
+/// about the way out, the way in is behind when the middle is.
 template <class Real, class Last>
 bool is_settled(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& known,
                 const Stretch<Real, Last>& stretch) {
@@ -38,7 +41,14 @@ bool is_settled(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& 
     const Real discriminant = along * along - ray.dir_squared * (ff - rr);
     const Real noise = gamma<Real>(96) * (ray.dir_squared * terms);
     if (discriminant < -noise) return true;
-    if (!stretch.may_settle || !(discriminant > 4096 * noise)) return false;
+    if (!(discriminant > 4096 * noise)) return false;
+    const Real to_first = along + stretch.first * ray.dir_squared;
+    const Real from_last = -along - stretch.last() * ray.dir_squared;
+    const Real away = to_first > from_last ? to_first : from_last;
+    if (away > 0 &&
+        (away * away > Real(1.04) * discriminant || (away == to_first && !known.asks_about(false))))
+        return true;
+    if (!stretch.may_settle) return false;
     const Real half = sqrt(discriminant) * ray.inv_squared;
     const Real middle = -along * ray.inv_squared;
     const Real slack = half / 64;
@@ -118,13 +128,18 @@ template <class Real, class Last, class Report>
         square = 0;
     }
     const Real half = sqrt(square);
-    // The root nearer to 0 as c/q, so that it is not lost to cancellation.
-    const Real q = middle + copysign(half, middle);
-    const Power<Real> c(ball, ray, f);
     Real t_in = middle - half;
     Real t_out = middle + half;
-    if (q != 0) (q > 0 ? t_in : t_out) = c.value * ray.inv_squared / q;
-    if (t_in > t_out) t_in = t_out = middle;
+    // Where the root nearer to 0 would lose to cancellation, it is c / q.
+    const Real q = middle + copysign(half, middle);
+    const bool divides = 2 * half >= abs(middle) && q != 0;
+    Real c_terms = 0;
+    if (divides) {
+        const Power<Real> c(ball, ray, f);
+        c_terms = c.terms;
+        (q > 0 ? t_in : t_out) = c.value * ray.inv_squared / q;
+        if (t_in > t_out) t_in = t_out = middle;
+    }
 
     // f and l are rounded at the size of f, which moves the line by `place` from the centre or
     // towards it, and r^2 - |l|^2 by w = 2 place r + place^2; see chord_error(). c / q inherits the
@@ -137,8 +152,8 @@ template <class Real, class Last, class Report>
         const Real w = place * (2 * ball.radius + place) * ray.inv_squared;
         const Real q_error =
             chord_error(w, square, half) + place * sqrt(ray.inv_squared) + gamma<Real>(6) * abs(q);
-        if (!divided || q == 0) return q_error;
-        const Real c_error = gamma<Real>(5) * c.terms + 2 * start_error * f_sum;
+        if (!divides || !divided) return q_error;
+        const Real c_error = gamma<Real>(5) * c_terms + 2 * start_error * f_sum;
         return (c_error * ray.inv_squared + abs(t) * q_error) / abs(q) + gamma<Real>(5) * abs(t);
     };
     if (stretch.ends_before(t_in)) return;
