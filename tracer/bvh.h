@@ -120,19 +120,19 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
             cut_to_slabs(node, 1, y, nearest, farthest);
             cut_to_slabs(node, 2, z, nearest, farthest);
             unsigned met = at_most(nearest, widened_far(farthest));
-            if (met != 0) {
-                const std::array<Real, bvh_width<Real>> near = nearest.numbers();
-                const auto waiting = [&](int c) {
-                    const auto i = static_cast<std::size_t>(c);
-                    return Waiting{node.child[i], node.count[i], near[i]};
-                };
-                item = waiting(std::countr_zero(met));
+            const std::array<Real, bvh_width<Real>> near = nearest.numbers();
+            const auto next_met = [&] {
+                const auto c = static_cast<std::size_t>(std::countr_zero(met));
                 met &= met - 1;
-                if (met == 0) continue;
+                return Waiting{node.child[c], node.count[c], near[c]};
+            };
+            // Numbers that are not keep empty slots, too: they are the last ones.
+            if (met != 0 && (item = next_met()).child != none) {
                 // Insertion sort, farthest first, straight into the stack; the nearest stays out.
                 const std::size_t base = top;
-                for (; met != 0; met &= met - 1) {
-                    Waiting other = waiting(std::countr_zero(met));
+                while (met != 0) {
+                    Waiting other = next_met();
+                    if (other.child == none) break;
                     if (other.near < item.near) std::swap(item, other);
                     std::size_t at = top++;
                     for (; at > base && stack[at - 1].near < other.near; --at)

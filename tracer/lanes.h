@@ -117,16 +117,18 @@ using Two = Lanes<Real, 2>;
 template <class Real>
 using Four = Lanes<Real, 4>;
 
-/// The same numbers in the wider type.
-inline Four<double> widened(const Four<float>& four) {
-    const std::array<float, 4> n = four.numbers();
-    return Four<double>(std::array<double, 4>{n[0], n[1], n[2], n[3]});
-}
-/// Each rounded to the narrower one.
-inline Four<float> narrowed(const Four<double>& four) {
-    const std::array<double, 4> n = four.numbers();
-    return Four<float>(std::array<float, 4>{static_cast<float>(n[0]), static_cast<float>(n[1]),
-                                            static_cast<float>(n[2]), static_cast<float>(n[3])});
+/// a - b, formed in the wider type and rounded once.
+inline Four<float> narrowed_difference(const Four<float>& a, double b) {
+    typedef float Narrow __attribute__((vector_size(16)));
+    typedef double Wide __attribute__((vector_size(32)));
+    const std::array<float, 4> numbers = a.numbers();
+    Narrow narrow;
+    std::memcpy(&narrow, numbers.data(), sizeof narrow);
+    const Wide difference = __builtin_convertvector(narrow, Wide) - b;
+    narrow = __builtin_convertvector(difference, Narrow);
+    std::array<float, 4> rounded;
+    std::memcpy(rounded.data(), &narrow, sizeof narrow);
+    return Four<float>(rounded);
 }
 
 }  // namespace lancer

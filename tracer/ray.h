@@ -120,7 +120,7 @@ Real edge_noise(const Ray<Real>& ray, Real reach) {
 /// The ray's start relative to `point`.
 template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
-    if (ray.whole && !has_fast_wider<Real>) return ray.origin - point;  // the difference, then
+    if (ray.whole) return ray.origin - point;  // what the difference then comes to
     return difference(ray.origin, ray.origin_lo, point);
 }
 

@@ -108,6 +108,8 @@ template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>& lo,
                                                     const Vec3<Real>& point) {
     if constexpr (has_fast_wider<Real>) {
+        // The same as the plain difference where `lo` is 0: what the wider type loses of numbers of
+        // so different sizes does not reach the last digit of the narrower one.
         return Vec3<Real>((Vec3<double>(hi) + Vec3<double>(lo)) - Vec3<double>(point));
     } else {
         const VectorSum<Real> d = two_sum(hi, -point);

@@ -9,15 +9,14 @@ the teapot takes fifty million triangles and 6 GB.
 """
 import math
 import os
-import re
 import subprocess
 import sys
+
+import page_part
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PAGE = os.path.join(ROOT, "docs", "accuracy.md")
 PLOT = os.path.join(ROOT, "docs", "pictures", "patch_tolerance.svg")
-BEGIN = "<!-- begin: tests/bench/patches.py -->"
-END = "<!-- end: tests/bench/patches.py -->"
 NAMES = {"teapot": "teapot", "random": "16 bent patches"}
 COLORS = {"teapot": "#1f6fb4", "random": "#c8501e"}
 
@@ -136,13 +135,7 @@ def main():
     program = sys.argv[1] if len(sys.argv) > 1 else built()
     cases, crowd = measured(program, sys.argv[2] if len(sys.argv) > 2 else "1e-6")
     plot(cases)
-    with open(PAGE) as file:
-        page = file.read()
-    marked = re.compile(re.escape(BEGIN) + ".*?" + re.escape(END), re.DOTALL)
-    if not marked.search(page):
-        raise SystemExit(f"{PAGE} has no marks for this table")
-    with open(PAGE, "w") as file:
-        file.write(marked.sub(lambda _: f"{BEGIN}\n{table(cases, crowd)}\n{END}", page))
+    page_part.write(PAGE, "tests/bench/patches.py", table(cases, crowd) + "\n")
 
 
 if __name__ == "__main__":

@@ -8,9 +8,10 @@ import subprocess
 import sys
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "tests", "bench"))
+import page_part  # noqa: E402
+
 PAGE = os.path.join(ROOT, "docs", "accuracy.md")
-BEGIN = "<!-- begin: tests/oracle/table.py -->\n"
-END = "<!-- end: tests/oracle/table.py -->\n"
 HEAD = ("| shape | crossings | worst error of t | median bound | used | point off, worst | its bound used | "
         "normal, worst | case |\n|---|---|---|---|---|---|---|---|---|\n")
 
@@ -25,12 +26,7 @@ def main():
         rows += "".join(line + "\n" for line in run.stdout.splitlines() if line.startswith("| "))
         if run.returncode != 0:
             sys.exit(run.stdout)
-    with open(PAGE) as file:
-        page = file.read()
-    before, rest = page.split(BEGIN)
-    _, after = rest.split(END)
-    with open(PAGE, "w") as file:
-        file.write(before + BEGIN + rows + END + after)
+    page_part.write(PAGE, "tests/oracle/table.py", rows)
 
 
 if __name__ == "__main__":

@@ -99,6 +99,29 @@ TYPED_TEST(BvhOf, ARayTowardsAPointOfABoxVisitsItHoweverFarTheWorldIsMoved) {
     }
 }
 
+TYPED_TEST(BvhOf, ARayThatIsNoneVisitsItemsAlone) {
+    using Real = TypeParam;
+    const Real infinity = std::numeric_limits<Real>::infinity();
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    Sampler<Real> random{std::mt19937_64(11)};
+    const Bvh<Real> bvh = build_bvh(random_boxes(random, Vec3<Real>(0), 77), 2, 1);
+    const Vec3<Real> zero(0);
+    for (const Ray<Real>& ray : {make_ray(zero, zero, Vec3<Real>(infinity), Real(0)),
+                                 make_ray(zero, zero, Vec3<Real>(nan), Real(0)),
+                                 make_ray(Vec3<Real>(nan), zero, Vec3<Real>(1), Real(0)),
+                                 make_ray(Vec3<Real>(infinity), zero, Vec3<Real>(1), Real(0))}) {
+        std::size_t visited = 0;
+        traverse(
+            bvh, ray, Real(0), [&] { return infinity; },
+            [&](std::uint32_t first, std::uint32_t count) {
+                EXPECT_LE(first + count, bvh.order.size());
+                visited += count;
+                return visited > bvh.order.size();
+            });
+        EXPECT_LE(visited, bvh.order.size());
+    }
+}
+
 TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
     Sampler<double> random{std::mt19937_64(3)};
     const std::vector<Bounds<double>> boxes = random_boxes(random, Vec3d(0), 60000);

@@ -36,11 +36,11 @@ template <class Real>
 [[gnu::always_inline]] inline Four<Real> about_from_start(const Ray<Real>& ray, int axis,
                                                           const std::array<Real, 4>& places) {
     if constexpr (has_fast_wider<Real>) {
-        const Four<double> start(double(ray.origin[axis]) + double(ray.origin_lo[axis]));
-        return narrowed(widened(Four<Real>(places)) - start);
-    } else {
-        return Four<Real>(places) - Four<Real>(ray.origin[axis]);
+        if (!ray.whole)
+            return narrowed_difference(Four<Real>(places),
+                                       double(ray.origin[axis]) + double(ray.origin_lo[axis]));
     }
+    return Four<Real>(places) - Four<Real>(ray.origin[axis]);
 }
 
 /// Bit i: whether the ray may meet triangle i, by the same numbers as for one.

@@ -32,7 +32,7 @@ constexpr KernelSet sets[] = {
 };
 constexpr const char* scenes[] = {"spheres", "boxes",   "planes", "triangles",
                                   "frusta",  "harbour", "glass"};
-constexpr int rounds = 15;
+constexpr int rounds = 31;
 
 std::string path_of(const std::string& scene) {
     const std::string root = LANCER_SOURCE_DIR;

@@ -14,11 +14,11 @@ import re
 import subprocess
 import sys
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.normpath(os.path.join(HERE, "..", "..", ".."))
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "tests", "bench"))
+import page_part  # noqa: E402
+
 PAGE = os.path.join(ROOT, "docs", "performance.md")
-BEGIN = "<!-- begin: tests/bench/kernels/kernels.py -->\n"
-END = "<!-- end: tests/bench/kernels/kernels.py -->\n"
 
 # What is replaced, the set of kernels that does so, and the scene that shows it.
 METHODS = [
@@ -62,12 +62,7 @@ def main():
     table = head.format("method") + "".join(row(bench, times, count, *method) for method in METHODS)
     table += "\n" + head.format("all together")
     table += "".join(row(bench, times, count, "all", "all", scene) for scene in SCENES)
-    with open(PAGE) as file:
-        page = file.read()
-    before, rest = page.split(BEGIN)
-    _, after = rest.split(END)
-    with open(PAGE, "w") as file:
-        file.write(before + BEGIN + table + END + after)
+    page_part.write(PAGE, "tests/bench/kernels/kernels.py", table)
 
 
 if __name__ == "__main__":
