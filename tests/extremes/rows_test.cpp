@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/diagnostic.h"
 #include "tests/extremes/picture.h"
 
 namespace lancer::extremes {
@@ -30,6 +31,19 @@ TEST_P(Rows, HoldTheirAims) {
         EXPECT_LE(wrong_at(row, k), *allowed) << row.name << ", k = " << k;
     }
     EXPECT_GT(asked, 0);
+}
+
+/// Right as far as the type goes, or refused: picture() checks that every value is finite.
+TEST_P(Rows, AreDrawnInSinglePrecision) {
+    const Row& row = GetParam();
+    for (const int k : row.ks) {
+        SCOPED_TRACE(row.name + ", k = " + std::to_string(k));
+        try {
+            picture(row.scene(k), Precision::single);
+        } catch (const SceneError& error) {
+            EXPECT_STRNE(error.what(), "");
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, Rows, testing::ValuesIn(rows_of_places()));
