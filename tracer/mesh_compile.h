@@ -47,9 +47,26 @@ std::vector<Vec3<Real>> given_normals(const Mesh& mesh) {
     return normals;
 }
 
+template <class Real>
+std::vector<Bounds<Real>> face_boxes(const TriangleMesh<Real>& mesh) {
+    std::vector<Bounds<Real>> boxes;
+    boxes.reserve(mesh.source->faces.size());
+    for (const Mesh::Corners& face : mesh.source->faces) {
+        Bounds<Real> box;
+        for (const std::uint32_t corner : face) box.extend(mesh.vertices[corner]);
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
 /// Puts the faces of each leaf of the tree side by side, in the order of the nodes.
 template <class Real>
 void gather_leaves(TriangleMesh<Real>& mesh) {
+    std::size_t leaves = 0;
+    for (const BvhNode<Real>& node : mesh.bvh.nodes) {
+        for (const std::uint32_t count : node.count) leaves += count != 0;
+    }
+    mesh.leaves.reserve(leaves);
     for (BvhNode<Real>& node : mesh.bvh.nodes) {
         for (std::size_t c = 0; c < node.child.size(); ++c) {
             if (node.count[c] == 0) continue;
@@ -62,7 +79,6 @@ void gather_leaves(TriangleMesh<Real>& mesh) {
             mesh.leaves.push_back(leaf);
         }
     }
-    mesh.leaves.shrink_to_fit();
     mesh.bvh.order = {};
 }
 
@@ -87,14 +103,7 @@ std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mes
         }
     }
     if (needs.body) mesh->inward = inward_faces(from);
-    std::vector<Bounds<Real>> boxes;
-    boxes.reserve(from.faces.size());
-    for (const Mesh::Corners& face : from.faces) {
-        Bounds<Real> box;
-        for (const std::uint32_t corner : face) box.extend(mesh->vertices[corner]);
-        boxes.push_back(box);
-    }
-    mesh->bvh = build_bvh(boxes, TriangleLeaf<Real>::size, threads);
+    mesh->bvh = build_bvh(face_boxes(*mesh), TriangleLeaf<Real>::size, threads);
     gather_leaves(*mesh);
     return mesh;
 }
