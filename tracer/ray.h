@@ -106,8 +106,8 @@ Shear<Real> shear_of(const Ray<Real>& ray) {
 /// How far a triangle's edge function by plain differences and that by exact ones may lie apart.
 /// With S the size of start and corners from their plain errors, plain differences are off by 18 u
 /// S, sheared coordinates (up to 2 S) by 43 u S, the difference of two of their products by 360 u
-/// S^2; from exact differences by 72 u S^2. Where the start is one number both are the same, or
-/// intersect() takes exact ones anyway.
+/// S^2; from exact differences by 72 u S^2. Where the start is one number both are the same, and
+/// where exact ones cost as little about_from_start() takes them anyway.
 ///
 /// \param reach  bound on the corners' coordinates
 template <class Real>

@@ -18,8 +18,9 @@ struct TriangleMesh {
     std::vector<Vec3<Real>> vertices;
     std::vector<Vec3<Real>> normals;  ///< given or averaged, unit; empty when nobody interpolates
     const std::vector<Mesh::Corners>* normal_faces = nullptr;  ///< into `normals`, one per face
-    Bvh<Real> bvh;                                             ///< over the faces
-    std::vector<TriangleLeaf<Real>> leaves;  ///< what the children of `bvh` that are leaves name
+    /// Over the faces. Children that are leaves name one of `leaves`, in place of `bvh.order`.
+    Bvh<Real> bvh;
+    std::vector<TriangleLeaf<Real>> leaves;
     std::vector<std::uint8_t>
         inward;  ///< of a body: 1 for faces that look inside; empty: none does
 

@@ -26,8 +26,8 @@ struct BallSolid {
 /// the chord / 4096, and both_crossings() bounds its own by less than 1/2000 of that: the place is
 /// off by 25 u T, T the root of the terms, while half the chord is more than 620 sqrt(u) T / |d|.
 /// So the chord is clear of the stretch when its middle lies before the first parameter, or beyond
-/// the last, by more than 65/64 of half of it, which takes no root to tell; and nothing is asked
-/// about the way out, the way in is behind when the middle is.
+/// the last, by more than 65/64 of half of it, which takes no root to tell. The way in is behind as
+/// soon as the middle is: enough where nothing is asked about the way out.
 template <class Real, class Last>
 bool is_settled(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& known,
                 const Stretch<Real, Last>& stretch) {
