@@ -4,15 +4,6 @@
 
 namespace lancer {
 
-RayCounts& RayCounts::operator+=(const RayCounts& more) {
-    primary += more.primary;
-    shadow += more.shadow;
-    reflected += more.reflected;
-    transmitted += more.transmitted;
-    media_lost += more.media_lost;
-    return *this;
-}
-
 std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings) {
     switch (settings.precision) {
         case Precision::single:

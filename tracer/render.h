@@ -2,16 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "base/progress.h"
 #include "model/image.h"
 #include "model/povray_rules.h"
 #include "model/scene.h"
 #include "model/settings.h"
 #include "model/shapes.h"
+#include "tracer/rays/ray_counts.h"
 
 namespace lancer {
 
@@ -30,18 +31,6 @@ struct View {
     int height = 480;
     std::optional<Crop> crop;  ///< only these pixels; the result has the crop's size
     bool aov = false;          ///< also object id, depth, normal and shadow, see render()
-};
-
-/// Exact counts of one render() call.
-struct RayCounts {
-    std::uint64_t primary = 0;
-    std::uint64_t shadow = 0;
-    std::uint64_t reflected = 0;
-    std::uint64_t transmitted = 0;
-    std::uint64_t media_lost = 0;  ///< bodies left without a crossing; 0 in a sound scene
-
-    RayCounts& operator+=(const RayCounts& more);
-    std::uint64_t rays() const { return primary + shadow + reflected + transmitted; }
 };
 
 /// What there is to count in a compiled scene.
@@ -66,9 +55,6 @@ struct Probe {
     std::uint64_t rays = 0;  ///< of all kinds that were traced for it
 };
 
-/// Called now and then from the thread that called render(), with the share done, 0..1.
-using Progress = std::function<void(double share)>;
-
 /// A compiled scene: acceleration structures built, matrices inverted. Safe to use from many
 /// threads.
 class Renderer {
@@ -92,7 +78,7 @@ class Renderer {
 /// type's range.
 std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings);
 
-/// For the judge: a renderer with a recursion of its own (tracer/povray_recursion.h), by POV-Ray's
+/// For the judge: a renderer with a recursion of its own (tracer/povray/recursion.h), by POV-Ray's
 /// rules or, where they are not `followed`, by ours; in double precision. Throws SceneError as
 /// compile() does.
 std::unique_ptr<Renderer> compile_by_povray(const Scene& scene, const Settings& settings,

@@ -5,13 +5,13 @@
 #include <mutex>
 #include <string>
 
+#include "base/parallel.h"
 #include "model/diagnostic.h"
-#include "tracer/camera.h"
-#include "tracer/compile.h"
-#include "tracer/far_camera.h"
-#include "tracer/parallel.h"
-#include "tracer/povray_recursion.h"
-#include "tracer/whitted.h"
+#include "tracer/compile/compile.h"
+#include "tracer/povray/recursion.h"
+#include "tracer/rays/camera.h"
+#include "tracer/recursion/whitted.h"
+#include "tracer/scene/far_camera.h"
 
 namespace lancer {
 
@@ -35,7 +35,7 @@ class RendererOf final : public Renderer {
         constexpr int tile = 16;
         const int across = (crop.width + tile - 1) / tile;
         const int down = (crop.height + tile - 1) / tile;
-        const Lens<Real> lens = lens_of(view);
+        const CameraFrame<Real> camera_frame = camera_frame_of(view);
         std::mutex merging;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
@@ -45,7 +45,8 @@ class RendererOf final : public Renderer {
                     const int top = index / across * tile;
                     for (int y = top; y < std::min(top + tile, crop.height); ++y) {
                         for (int x = left; x < std::min(left + tile, crop.width); ++x)
-                            fill(image.pixel(x, y), tracer, lens, view, crop.x + x, crop.y + y);
+                            fill(image.pixel(x, y), tracer, camera_frame, view, crop.x + x,
+                                 crop.y + y);
                     }
                 }
                 const std::lock_guard lock(merging);
@@ -57,20 +58,20 @@ class RendererOf final : public Renderer {
     }
 
     Probe probe(const View& view, double x, double y) const override {
-        Witness<Real> witness;
-        const Lens<Real> lens = lens_of(view);
+        ProbeRecord<Real> record;
+        const CameraFrame<Real> camera_frame = camera_frame_of(view);
         Probe probe;
         with_tracer([&](auto& tracer) {
-            probe.color = convert<double>(
-                sample(tracer, lens, view, static_cast<Real>(x), static_cast<Real>(y), &witness));
+            probe.color = convert<double>(sample(tracer, camera_frame, view, static_cast<Real>(x),
+                                                 static_cast<Real>(y), &record));
             probe.rays = tracer.counts().rays();
         });
-        probe.path = witness.path;
-        if (!witness.met) return probe;
-        probe.object = witness.surface.primitive->object;
-        probe.depth = unscaled(witness.distance);
-        probe.normal = convert<double>(witness.surface.normal);
-        probe.lit = witness.lit;
+        probe.path = record.path;
+        if (!record.met) return probe;
+        probe.object = record.surface.primitive->object;
+        probe.depth = unscaled(record.distance);
+        probe.normal = convert<double>(record.surface.normal);
+        probe.lit = record.lit;
         return probe;
     }
 
@@ -133,11 +134,12 @@ class RendererOf final : public Renderer {
         }
     }
 
-    Lens<Real> lens_of(const View& view) const {
+    CameraFrame<Real> camera_frame_of(const View& view) const {
         const Camera& camera = cameras_[view.camera];
-        Lens<Real> lens = make_lens<Real>(camera, view.width, view.height, world_->scale_exponent);
-        begin_near_scene(*world_, camera, lens);
-        return lens;
+        CameraFrame<Real> camera_frame =
+            make_camera_frame<Real>(camera, view.width, view.height, world_->scale_exponent);
+        begin_near_scene(*world_, camera, camera_frame);
+        return camera_frame;
     }
     double unscaled(Real distance) const {
         return static_cast<double>(ldexp(distance, -world_->scale_exponent));
@@ -145,22 +147,22 @@ class RendererOf final : public Renderer {
 
     /// One ray through the point (x, y), in pixels of the whole picture.
     template <class Tracer>
-    Vec3<Real> sample(Tracer& tracer, const Lens<Real>& lens, const View& view, Real x, Real y,
-                      Witness<Real>* witness) const {
+    Vec3<Real> sample(Tracer& tracer, const CameraFrame<Real>& camera_frame, const View& view,
+                      Real x, Real y, ProbeRecord<Real>* record) const {
         const Real sx = x / static_cast<Real>(view.width) - Real(0.5);
         const Real sy = Real(0.5) - y / static_cast<Real>(view.height);
-        const Ray<Real> ray = camera_ray(lens, sx, sy);
-        if (lens.ahead == 0) return tracer.camera_ray(ray, Real(0), ray, witness);
-        const Real at_camera = camera_parameter(lens, sx, sy);
+        const Ray<Real> ray = camera_ray(camera_frame, sx, sy);
+        if (camera_frame.ahead == 0) return tracer.camera_ray(ray, Real(0), ray, record);
+        const Real at_camera = camera_parameter(camera_frame, sx, sy);
         const Vec3<Real> color =
-            tracer.camera_ray(ray, at_camera, ray_from_camera(lens, sx, sy), witness);
-        if (witness != nullptr && witness->met) witness->distance -= at_camera;
+            tracer.camera_ray(ray, at_camera, ray_from_camera(camera_frame, sx, sy), record);
+        if (record != nullptr && record->met) record->distance -= at_camera;
         return color;
     }
 
     template <class Tracer>
-    void fill(double* pixel, Tracer& tracer, const Lens<Real>& lens, const View& view, int x,
-              int y) const {
+    void fill(double* pixel, Tracer& tracer, const CameraFrame<Real>& camera_frame,
+              const View& view, int x, int y) const {
         const int n = world_->settings.samples;
         Vec3<Real> sum(0);
         for (int j = 0; j < n; ++j) {
@@ -169,30 +171,31 @@ class RendererOf final : public Renderer {
                                   (static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n);
                 const Real at_y = static_cast<Real>(y) +
                                   (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(n);
-                sum += sample(tracer, lens, view, at_x, at_y, nullptr);
+                sum += sample(tracer, camera_frame, view, at_x, at_y, nullptr);
             }
         }
         const Vec3d color = convert<double>(n == 1 ? sum : sum / static_cast<Real>(n * n));
         for (int c = 0; c < 3; ++c) pixel[c] = color[c];
-        if (view.aov) fill_aov(pixel + 3, lens, view, x, y);
+        if (view.aov) fill_aov(pixel + 3, camera_frame, view, x, y);
     }
 
     /// By a ray of its own through the centre, which no count shows.
-    void fill_aov(double* out, const Lens<Real>& lens, const View& view, int x, int y) const {
-        Witness<Real> witness;
+    void fill_aov(double* out, const CameraFrame<Real>& camera_frame, const View& view, int x,
+                  int y) const {
+        ProbeRecord<Real> record;
         with_tracer([&](auto& tracer) {
-            sample(tracer, lens, view, static_cast<Real>(x) + Real(0.5),
-                   static_cast<Real>(y) + Real(0.5), &witness);
+            sample(tracer, camera_frame, view, static_cast<Real>(x) + Real(0.5),
+                   static_cast<Real>(y) + Real(0.5), &record);
         });
         std::fill(out, out + aov_channels, 0.0);
         out[0] = -1;
-        if (!witness.met) return;
-        out[0] = witness.surface.primitive->object;
-        out[1] = unscaled(witness.distance);
-        for (int c = 0; c < 3; ++c) out[2 + c] = static_cast<double>(witness.surface.normal[c]);
+        if (!record.met) return;
+        out[0] = record.surface.primitive->object;
+        out[1] = unscaled(record.distance);
+        for (int c = 0; c < 3; ++c) out[2 + c] = static_cast<double>(record.surface.normal[c]);
         const std::size_t lights = std::min<std::size_t>(world_->lights.size(), 64);
         std::size_t dark = 0;
-        for (std::size_t i = 0; i < lights; ++i) dark += (witness.lit >> i & 1) == 0;
+        for (std::size_t i = 0; i < lights; ++i) dark += (record.lit >> i & 1) == 0;
         out[5] = lights == 0 ? 0.0 : static_cast<double>(dark) / static_cast<double>(lights);
     }
 

@@ -18,7 +18,7 @@
 #include <string>
 
 #include "cli/scene_loader.h"
-#include "tracer/compile.h"
+#include "tracer/compile/compile.h"
 #include "tracer/render.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "tests/extremes/picture.h"
 #include "tests/extremes/rows.h"
 #include "tests/quad/quad.h"
-#include "tracer/optics.h"
+#include "tracer/shading/optics.h"
 
 namespace lancer::extremes {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/extremes/picture.h"
-#include "tracer/optics.h"
+#include "tracer/shading/optics.h"
 
 namespace lancer::extremes {
 namespace {

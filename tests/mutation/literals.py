@@ -14,8 +14,8 @@ import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WRITER = ["reference/pov/*.cpp", "reference/pov/*.h"]
-SHADER = ["tracer/whitted.h", "tracer/opaque.h", "tracer/lighting.h", "tracer/optics.h", "tracer/lights.h",
-          "tracer/shadow.h", "tracer/media.h", "tracer/surface.h", "tracer/texture.h", "tracer/camera.h",
+SHADER = ["tracer/recursion/whitted.h", "tracer/recursion/opaque.h", "tracer/shading/lighting.h", "tracer/shading/optics.h", "tracer/shading/light_sample.h",
+          "tracer/shading/shadow.h", "tracer/intersect/media.h", "tracer/shading/surface.h", "tracer/shading/texture_color.h", "tracer/rays/camera.h",
           "tracer/textures/*.h", "tracer/textures/*.cpp"]
 # Files that no picture depends on, and why.
 OTHER_FILES = {

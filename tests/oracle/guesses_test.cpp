@@ -1,7 +1,8 @@
 // What filters tell of crossings that are not formed: every guess must hold the exact crossing with
-// eight of its error bounds on either side (Stretch::settles), and nothing within the stretch may
-// be left out.
+// eight of its error bounds on either side (RayInterval::accepts_estimate), and nothing within the
+// interval may be left out.
 #include "tests/oracle/tally.h"
+#include "tracer/rays/crossing.h"
 #include "tracer/shapes/frustum.h"
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/sphere.h"
@@ -26,7 +27,7 @@ struct Notes {
     std::vector<Guess>& guesses;
 
     double operator()() const { return infinity; }
-    bool settles(double low, double high) const {
+    bool accepts_estimate(double low, double high) const {
         guesses.push_back({low, high});
         return false;
     }
@@ -40,19 +41,20 @@ class Guesses {
         std::vector<Guess> guesses;
         const Notes notes{guesses};
         std::vector<Crossing<double>> found;
-        crossings(shape, ray, Known{}, Stretch<double, Notes>{-infinity, notes},
+        crossings(shape, ray, IntersectionHints{}, RayInterval<double, Notes>{-infinity, notes},
                   [&](const Crossing<double>& c) { found.push_back(c); });
         crossings_ += found.size();
         for (const Guess& guess : guesses) check(guess, found, draw);
         for (const Crossing<double>& c : found) {
             const double shift = draw.decade(-16, 0) * std::abs(c.t);
             const auto end = [&] { return c.t + shift; };
-            const Stretch<double, decltype(end)> near{c.t - shift, end};
+            const RayInterval<double, decltype(end)> near{c.t - shift, end};
             // A query about all crossings, and one about those that go in, or out, alone.
-            for (const Known& known : {Known{}, Known{none, !c.entering, true}}) {
+            for (const IntersectionHints& hints :
+                 {IntersectionHints{}, IntersectionHints{none, !c.entering, true}}) {
                 bool met = false;
                 const auto meets = [&](const Crossing<double>& other) { met |= other.t == c.t; };
-                crossings(shape, ray, known, near, meets);
+                crossings(shape, ray, hints, near, meets);
                 EXPECT_TRUE(met) << "case " << draw.number() << ": a crossing was left out";
             }
         }
@@ -112,11 +114,11 @@ TEST(OracleGuesses, CylinderAndCone) {
         f.radius = draw.number() % 4 == 0 ? 0 : draw.decade(-3, 1);
         f.slope = draw.number() % 2 == 0 ? draw.decade(-3, 2) : (f.radius > 0 ? 0 : 0.5);
         f.capped = draw.number() % 7 != 0;
-        f.placed = moved(draw, f.height);
-        f.plain_error = f.placed + plain_error_of(f.small_end);
+        f.transform_error = moved(draw, f.height);
+        f.filter_error = f.transform_error + filter_error_of(f.small_end);
         const double size = std::max(f.height, f.radius + f.slope * f.height);
         Ray<double> ray = draw.ray_at(f.small_end + (f.height / 2) * f.axis, size);
-        if (draw.number() % 6 >= 4) {  // nearly touches the mantle, or runs nearly along it
+        if (draw.number() % 6 >= 4) {  // nearly touches the side, or runs nearly along it
             const Vec3d out = normalize(cross(f.axis, draw.direction()));
             const double axial = f.height * draw.unit();
             const double reach = (f.radius + f.slope * axial) * (1 - draw.decade(-17, -1));
@@ -145,7 +147,7 @@ TEST(OracleGuesses, Plane) {
         }
         ray = with_error(draw.in_two_parts(ray), moved(draw, 1));
         std::vector<Crossing<double>> found;
-        crossings(half, ray, Known{}, whole_line<double>(),
+        crossings(half, ray, IntersectionHints{}, whole_line<double>(),
                   [&](const Crossing<double>& c) { found.push_back(c); });
         const PlaneGuess<double> guess(half, ray);
         if (!found.empty()) guesses.check(Guess{guess.low, guess.high}, found, draw);

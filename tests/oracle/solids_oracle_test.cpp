@@ -2,6 +2,9 @@
 // point and the normal are off, whether the bound that the kernel reports with t really bounds its
 // error, and whether no crossing is missed.
 #include "tests/oracle/tally.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/shear.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/shapes/box.h"
 #include "tracer/shapes/frustum.h"
 #include "tracer/shapes/plane.h"
@@ -35,16 +38,17 @@ TEST(Oracle, Sphere) {
         const Exact square = b * b - dd * (dot(f, f) - rr);
         const Exact root = square > 0 ? Exact(sqrt(square)) : Exact(0);
         int found = 0;
-        crossings(ball, ray, Known{}, whole_line<double>(), [&](const Crossing<double>& c) {
-            ++found;
-            const Exact t = c.entering ? Exact((b - root) / dd) : Exact((b + root) / dd);
-            tally.hit(ray, c, t, ball.radius);
-            const SurfacePoint<double> p = surface_point(ball, ray, c.t, 0);
-            const ExactVec from_center =
-                exact(p.anchor) + exact(p.offset) + exact(p.rest) - exact(ball.center);
-            const ExactVec truth = start_of(ray) + Exact(c.t) * d - exact(ball.center);
-            tally.point(p, length(from_center) - ball.radius, truth, ball.radius);
-        });
+        crossings(ball, ray, IntersectionHints{}, whole_line<double>(),
+                  [&](const Crossing<double>& c) {
+                      ++found;
+                      const Exact t = c.entering ? Exact((b - root) / dd) : Exact((b + root) / dd);
+                      tally.hit(ray, c, t, ball.radius);
+                      const SurfacePoint<double> p = surface_point(ball, ray, c.t, 0);
+                      const ExactVec from_center =
+                          exact(p.anchor) + exact(p.offset) + exact(p.rest) - exact(ball.center);
+                      const ExactVec truth = start_of(ray) + Exact(c.t) * d - exact(ball.center);
+                      tally.point(p, length(from_center) - ball.radius, truth, ball.radius);
+                  });
         // The kernel's own rounding moves the line by some u |f|, which counts next to r.
         if (square > Exact(1e-14) * dd * (sqrt(dot(f, f) * rr) + rr))
             tally.expect_found(found == 2);
@@ -58,13 +62,13 @@ TEST(Oracle, SphereFromItsSurface) {
     tally.run([&](Draw& draw) {
         const BallSolid<double> ball{draw.direction() * draw.decade(-2, 2), draw.decade(-3, 3)};
         const Vec3d n = draw.direction();
-        const VectorSum<double> start = two_sum(ball.center, n * ball.radius);
+        const DoubleWordVector<double> start = two_sum(ball.center, n * ball.radius);
         Vec3d along = draw.direction();
         if (draw.number() % 2 == 1) along = normalize(cross(n, along)) + n * draw.decade(-16, -1);
         const Ray<double> ray = make_ray(start.hi, start.lo, normalize(along), 0.0);
         const ExactVec f = exact(ball.center) - start_of(ray);
         const Exact t = 2 * dot(f, exact(ray.dir)) / dot(exact(ray.dir), exact(ray.dir));
-        crossings(ball, ray, Known{0, false}, whole_line<double>(),
+        crossings(ball, ray, IntersectionHints{0, false}, whole_line<double>(),
                   [&](const Crossing<double>& c) { tally.hit(ray, c, t, ball.radius); });
     });
     tally.report();
@@ -94,18 +98,20 @@ TEST(Oracle, Box) {
             out = std::min(out, std::max(a, b));
         }
         int found = 0;
-        crossings(box, ray, Known{}, whole_line<double>(), [&](const Crossing<double>& c) {
-            ++found;
-            const int axis = static_cast<int>(c.face / 2);
-            const bool at_max = c.face % 2 == 1;
-            const double at = at_max ? box.max[axis] : box.min[axis];
-            const Exact t = (Exact(at) - ray.origin[axis] - ray.origin_lo[axis]) / ray.dir[axis];
-            tally.hit(ray, c, t, size);
-            const SurfacePoint<double> p = surface_point(box, ray, c.t, c.face);
-            Vec3d normal(0.0);
-            normal[axis] = at_max ? 1 : -1;
-            tally.point(p, Exact(p.anchor[axis]) + p.offset[axis] - at, exact(normal), size);
-        });
+        crossings(
+            box, ray, IntersectionHints{}, whole_line<double>(), [&](const Crossing<double>& c) {
+                ++found;
+                const int axis = static_cast<int>(c.face / 2);
+                const bool at_max = c.face % 2 == 1;
+                const double at = at_max ? box.max[axis] : box.min[axis];
+                const Exact t =
+                    (Exact(at) - ray.origin[axis] - ray.origin_lo[axis]) / ray.dir[axis];
+                tally.hit(ray, c, t, size);
+                const SurfacePoint<double> p = surface_point(box, ray, c.t, c.face);
+                Vec3d normal(0.0);
+                normal[axis] = at_max ? 1 : -1;
+                tally.point(p, Exact(p.anchor[axis]) + p.offset[axis] - at, exact(normal), size);
+            });
         const Exact margin = Exact(1e-13) * std::max(Exact(abs(in)), Exact(abs(out)));
         if (!beside && out - in > margin) tally.expect_found(found == 2);
     });
@@ -130,17 +136,19 @@ TEST(Oracle, Plane) {
         const auto last = [&] { return end; };
         bool found = false;
         double bound = 0;
-        crossings(half, ray, Known{}, Stretch<double, decltype(last)>{0, last},
+        crossings(half, ray, IntersectionHints{}, RayInterval<double, decltype(last)>{0, last},
                   [&](const Crossing<double>&) { found = true; });
-        crossings(half, ray, Known{}, whole_line<double>(), [&](const Crossing<double>& c) {
-            bound = c.error;
-            tally.hit(ray, c, t, 1);
-            const SurfacePoint<double> p = surface_point(half, ray, c.t, 0);
-            const ExactVec rel = exact(p.anchor) + exact(p.offset) - exact(half.point);
-            // How far the point may be off grows with its distance from the plane's own point.
-            const double reach = std::max(1.0, static_cast<double>(length(rel)));
-            tally.point(p, dot(n, rel) / length(n), n, reach);
-        });
+        crossings(half, ray, IntersectionHints{}, whole_line<double>(),
+                  [&](const Crossing<double>& c) {
+                      bound = c.error;
+                      tally.hit(ray, c, t, 1);
+                      const SurfacePoint<double> p = surface_point(half, ray, c.t, 0);
+                      const ExactVec rel = exact(p.anchor) + exact(p.offset) - exact(half.point);
+                      // How far the point may be off grows with its distance from the plane's own
+                      // point.
+                      const double reach = std::max(1.0, static_cast<double>(length(rel)));
+                      tally.point(p, dot(n, rel) / length(n), n, reach);
+                  });
         if (t > 0 && t + bound < end) tally.expect_found(found);
     });
     tally.report();
@@ -197,14 +205,14 @@ FrustumSolid<double> random_frustum(Draw& draw) {
     f.radius = draw.number() % 4 == 0 ? 0 : draw.decade(-3, 1);
     f.slope = draw.number() % 2 == 0 ? draw.decade(-2, 0.5) : (f.radius > 0 ? 0 : 0.5);
     f.capped = true;
-    f.plain_error = plain_error_of(f.small_end);
+    f.filter_error = filter_error_of(f.small_end);
     return f;
 }
 double whole_size(const FrustumSolid<double>& f) {
     return std::max(f.height, f.radius + f.slope * f.height);
 }
 
-/// A line meets the mantle where qa t^2 + 2 qb t + qc = 0, as in mantle_span().
+/// A line meets the side where qa t^2 + 2 qb t + qc = 0, as in side_span().
 struct ExactMantle {
     ExactVec w;      ///< the axis, truly unit
     ExactVec start;  ///< relative to the smaller end
@@ -227,9 +235,9 @@ struct ExactMantle {
 };
 
 TEST(Oracle, CylinderAndCone) {
-    Tally mantle("cylinder and cone, mantle");
+    Tally side("cylinder and cone, side");
     Tally caps("cylinder and cone, caps");
-    mantle.run([&](Draw& draw) {
+    side.run([&](Draw& draw) {
         caps.at(draw);
         const FrustumSolid<double> f = random_frustum(draw);
         const double size = whole_size(f);
@@ -248,28 +256,29 @@ TEST(Oracle, CylinderAndCone) {
         const Exact t0 = (-qb - root) / qa;
         const Exact t1 = (-qb + root) / qa;
         int found = 0;
-        crossings(f, ray, Known{}, whole_line<double>(), [&](const Crossing<double>& c) {
-            ++found;
-            const SurfacePoint<double> p = surface_point(f, ray, c.t, c.face);
-            const ExactVec rel = exact(p.anchor) + exact(p.offset) - exact(f.small_end);
-            const ExactVec radial = rel - dot(w, rel) * w;
-            if (c.face == frustum_face::mantle) {
-                mantle.hit(ray, c, abs(t0 - c.t) < abs(t1 - c.t) ? t0 : t1, size);
-                const Exact distance = length(radial);
-                if (!(distance > Exact(1e-3) * f.radius)) return;
-                const Exact off = distance - (Exact(f.radius) + Exact(f.slope) * dot(w, rel));
-                const Exact steep = sqrt(1 + Exact(f.slope) * f.slope);
-                const ExactVec at = start + Exact(c.t) * d;
-                const ExactVec out = unit_of(at - dot(w, at) * w) - Exact(f.slope) * w;
-                mantle.point(p, off / steep, out, size);
-            } else {
-                const bool small = c.face == frustum_face::small_cap;
-                const ExactVec end = exact(small ? f.small_end : f.large_end);
-                caps.hit(ray, c, dot(w, end - start_of(ray)) / da, size);
-                const ExactVec from_end = exact(p.anchor) + exact(p.offset) - end;
-                caps.point(p, dot(w, from_end), Exact(small ? -1 : 1) * w, size);
-            }
-        });
+        crossings(
+            f, ray, IntersectionHints{}, whole_line<double>(), [&](const Crossing<double>& c) {
+                ++found;
+                const SurfacePoint<double> p = surface_point(f, ray, c.t, c.face);
+                const ExactVec rel = exact(p.anchor) + exact(p.offset) - exact(f.small_end);
+                const ExactVec radial = rel - dot(w, rel) * w;
+                if (c.face == frustum_face::side) {
+                    side.hit(ray, c, abs(t0 - c.t) < abs(t1 - c.t) ? t0 : t1, size);
+                    const Exact distance = length(radial);
+                    if (!(distance > Exact(1e-3) * f.radius)) return;
+                    const Exact off = distance - (Exact(f.radius) + Exact(f.slope) * dot(w, rel));
+                    const Exact steep = sqrt(1 + Exact(f.slope) * f.slope);
+                    const ExactVec at = start + Exact(c.t) * d;
+                    const ExactVec out = unit_of(at - dot(w, at) * w) - Exact(f.slope) * w;
+                    side.point(p, off / steep, out, size);
+                } else {
+                    const bool small = c.face == frustum_face::small_cap;
+                    const ExactVec end = exact(small ? f.small_end : f.large_end);
+                    caps.hit(ray, c, dot(w, end - start_of(ray)) / da, size);
+                    const ExactVec from_end = exact(p.anchor) + exact(p.offset) - end;
+                    caps.point(p, dot(w, from_end), Exact(small ? -1 : 1) * w, size);
+                }
+            });
         if (!(qa > Exact(1e-12)) || da == 0 || !(square > 0)) return;
         const Exact low = -sa / da;
         const Exact high = (dot(w, exact(f.large_end) - exact(f.small_end)) - sa) / da;
@@ -277,20 +286,20 @@ TEST(Oracle, CylinderAndCone) {
         const Exact out = std::min(t1, std::max(low, high));
         const Exact far = std::max({Exact(abs(in)), Exact(abs(out)), Exact(size)});
         const bool certain = square > Exact(1e-11) * far * far && out - in > Exact(1e-7) * far;
-        if (certain) mantle.expect_found(found == 2);
+        if (certain) side.expect_found(found == 2);
     });
-    mantle.report();
+    side.report();
     caps.report();
 }
 
-/// The other root from a start on the mantle, whatever the angle.
+/// The other root from a start on the side, whatever the angle.
 TEST(Oracle, CylinderAndConeFromTheMantle) {
-    Tally tally("cylinder and cone, from the mantle");
+    Tally tally("cylinder and cone, from the side");
     tally.run([&](Draw& draw) {
         const FrustumSolid<double> f = random_frustum(draw);
         const Vec3d outward = normalize(cross(f.axis, draw.direction()));
         const double axial = f.height * draw.unit();
-        const VectorSum<double> start =
+        const DoubleWordVector<double> start =
             two_sum(f.small_end, axial * f.axis + (f.radius + f.slope * axial) * outward);
         Vec3d along = draw.direction();
         if (draw.number() % 5 < 2)
@@ -298,9 +307,9 @@ TEST(Oracle, CylinderAndConeFromTheMantle) {
         const Ray<double> ray = make_ray(start.hi, start.lo, normalize(along), 0.0);
         const ExactMantle exactly(f, ray);
         const Exact t = -2 * exactly.qb / exactly.qa;
-        crossings(f, ray, Known{frustum_face::mantle, false}, whole_line<double>(),
+        crossings(f, ray, IntersectionHints{frustum_face::side, false}, whole_line<double>(),
                   [&](const Crossing<double>& c) {
-                      if (c.face == frustum_face::mantle) tally.hit(ray, c, t, whole_size(f));
+                      if (c.face == frustum_face::side) tally.hit(ray, c, t, whole_size(f));
                   });
     });
     tally.report();

@@ -2,6 +2,8 @@
 // method goes on to the true crossing. Cases in which it does not settle there (tangents, cusps)
 // are left out, and counted.
 #include "tests/oracle/tally.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/shapes/bicubic.h"
 #include "tracer/shapes/lathe.h"
 #include "tracer/shapes/prism.h"
@@ -218,7 +220,7 @@ TEST(Oracle, Patch) {
                 tally.point(p, dot(n, exact(p.anchor) + exact(p.offset) - truth), n, size);
                 return false;
             };
-            crossings(solid, ray, Known{}, whole_line<double>(), crossing);
+            crossings(solid, ray, IntersectionHints{}, whole_line<double>(), crossing);
         }
     });
     EXPECT_LT(static_cast<double>(undecided), 0.01 * static_cast<double>(found));

@@ -13,7 +13,9 @@
 
 #include "tests/oracle/exact.h"
 #include "tests/oracle/worst_cases.h"
-#include "tracer/ray.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 
 namespace lancer::oracle {
 

@@ -24,11 +24,11 @@ inline constexpr WorstCase worst_cases[] = {
     {"plane", 289307},
     {"triangle", 8506},
     {"triangle", 102676},
-    {"cylinder and cone, mantle", 53037},
-    {"cylinder and cone, mantle", 4558},  // a cone's point, from far away: its radius was tilted
-    {"cylinder and cone, mantle", 458370},
-    {"cylinder and cone, from the mantle", 2311},  // along the axis: the direction's own rounding
-    {"cylinder and cone, from the mantle", 256623},
+    {"cylinder and cone, side", 53037},
+    {"cylinder and cone, side", 4558},  // a cone's point, from far away: its radius was tilted
+    {"cylinder and cone, side", 458370},
+    {"cylinder and cone, from the side", 2311},  // along the axis: the direction's own rounding
+    {"cylinder and cone, from the side", 256623},
     {"lathe", 40541},
     {"lathe", 5107},  // a direction whose square underflows
     {"lathe", 17203},

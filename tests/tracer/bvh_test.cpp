@@ -1,11 +1,11 @@
-#include "tracer/bvh.h"
+#include "tracer/bvh/bvh.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "tracer/bvh_build.h"
+#include "tracer/bvh/build.h"
 
 namespace lancer {
 namespace {

@@ -1,5 +1,6 @@
 // Triangles side by side are told apart as each would be by itself.
 #include "tracer/shapes/triangle_leaf.h"
+#include "tracer/rays/shear.h"
 
 #include <gtest/gtest.h>
 

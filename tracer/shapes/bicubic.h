@@ -6,7 +6,10 @@
 #include <mutex>
 
 #include "model/shapes.h"
-#include "tracer/bvh.h"
+#include "tracer/bvh/bvh.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/shear.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/splines/pieces.h"
 
 namespace lancer {
@@ -105,11 +108,12 @@ void piece_crossings(const PieceTree<Real>& tree, std::uint32_t index, const Ray
 }
 
 template <class Real, class Last, class Report>
-void crossings(const BicubicSolid<Real>& solid, const Ray<Real>& ray, const Known& /*known*/,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const BicubicSolid<Real>& solid, const Ray<Real>& ray,
+               const IntersectionHints& /*hints*/, const RayInterval<Real, Last>& interval,
+               Report&& report) {
     const PieceTree<Real>& tree = solid.surface->tree();
     const Shear<Real> shear = shear_of(ray);
-    traverse(tree.bvh, ray, stretch.first, stretch.last,
+    traverse(tree.bvh, ray, interval.first, interval.last,
              [&](std::uint32_t first, std::uint32_t count) {
                  bool stop = false;
                  for (std::uint32_t i = first; i < first + count && !stop; ++i) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/patch_net.h"
-#include "tracer/bvh_build.h"
+#include "tracer/bvh/build.h"
 #include "tracer/shapes/bicubic.h"
 
 namespace lancer {

@@ -1,8 +1,10 @@
 // The box along the axes of its space.
 #pragma once
 
-#include "tracer/lanes.h"
-#include "tracer/ray.h"
+#include "tracer/numerics/lanes.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 
 namespace lancer {
 
@@ -10,7 +12,8 @@ template <class Real>
 struct BoxSolid {
     Vec3<Real> min;
     Vec3<Real> max;
-    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
+    Real transform_error =
+        0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
 
 /// Faces are numbered 2 axis + (0 at min, 1 at max).
@@ -35,7 +38,7 @@ Two<Real> to_planes(const BoxSolid<Real>& box, const Ray<Real>& ray, int axis) {
     const Two<Real> planes(std::array<Real, 2>{box.min[axis], box.max[axis]});
     const Two<Real> origin(ray.origin[axis]);
     if (ray.whole) return planes - origin;
-    const Sum<Two<Real>> d = two_sum(planes, Two<Real>(Real(0)) - origin);
+    const DoubleWord<Two<Real>> d = two_sum(planes, Two<Real>(Real(0)) - origin);
     return d.hi + (d.lo - Two<Real>(ray.origin_lo[axis]));
 }
 
@@ -43,12 +46,13 @@ Two<Real> to_planes(const BoxSolid<Real>& box, const Ray<Real>& ray, int axis) {
 /// is left and the line is not known to be inside.
 template <class Real>
 [[gnu::always_inline]] inline bool cut(BoxSpan<Real>& span, const BoxSolid<Real>& box,
-                                       const Ray<Real>& ray, int axis, const Known& known) {
+                                       const Ray<Real>& ray, int axis,
+                                       const IntersectionHints& hints) {
     const Two<Real> way = to_planes(box, ray, axis);
     const Real dir = ray.dir[axis];
     if (dir == 0) {
         const auto [to_min, to_max] = way.numbers();
-        return known.inside || !(to_min > 0 || to_max < 0);
+        return hints.inside || !(to_min > 0 || to_max < 0);
     }
     const bool forward = dir > 0;
     const std::uint32_t near_face = box_face(axis, !forward);
@@ -56,11 +60,11 @@ template <class Real>
     const auto [at_min, at_max] = (way * Two<Real>(ray.inv_dir[axis])).numbers();
     Real near = forward ? at_min : at_max;
     Real far = forward ? at_max : at_min;
-    if (known.start_face == near_face) {
+    if (hints.start_face == near_face) {
         near = 0;
         span.started_in = true;
     }
-    if (known.start_face == far_face) far = 0;
+    if (hints.start_face == far_face) far = 0;
     if (near > span.in) {
         span.in = near;
         span.in_face = near_face;
@@ -77,24 +81,25 @@ template <class Real>
 /// sign of the direction, never by comparing numbers that may be equal: so a box of no thickness
 /// has two faces with the right normals.
 template <class Real, class Last, class Report>
-void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
     using std::abs;
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     BoxSpan<Real> span;
-    if (!cut(span, box, ray, 0, known) || !cut(span, box, ray, 1, known) ||
-        !cut(span, box, ray, 2, known))
+    if (!cut(span, box, ray, 0, hints) || !cut(span, box, ray, 1, hints) ||
+        !cut(span, box, ray, 2, hints))
         return;
-    if (span.in > span.out && !known.inside && !span.started_in) return;
+    if (span.in > span.out && !hints.inside && !span.started_in) return;
     // A difference, its small part, a reciprocal and a product.
     const auto offer = [&](Real t, std::uint32_t face, bool entering, Real chord) {
-        if (face == known.start_face || !(abs(t) < infinity) || stretch.ends_before(t) ||
-            !known.asks_about(entering))
+        if (face == hints.start_face || !(abs(t) < infinity) || interval.ends_before(t) ||
+            !hints.asks_about(entering))
             return;
         const Real steep = abs(ray.inv_dir[static_cast<int>(face / 2)]);
-        const Real error = gamma<Real>(4) * abs(t) + (ray.origin_error + box.placed) * steep;
+        const Real error =
+            gamma<Real>(4) * abs(t) + (ray.origin_error + box.transform_error) * steep;
         const Crossing<Real> c{t, error, face, entering, chord};
-        if (stretch.holds(c)) report(c);
+        if (interval.holds(c)) report(c);
     };
     offer(span.in, span.in_face, true, span.out - span.in);
     offer(span.out, span.out_face, false, infinity);

@@ -1,6 +1,9 @@
 // A patch as POV-Ray draws it, for the judge: flat facets under mixed normals.
 #pragma once
 
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/shear.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/shapes/triangle.h"
 #include "tracer/splines/bicubic.h"
 
@@ -92,10 +95,10 @@ bool may_meet(const splines::Bicubic<Real>& points, const Ray<Real>& ray) {
 template <class Real, class Last, class Report>
 class FacetSearch {
   public:
-    FacetSearch(const Ray<Real>& ray, const Stretch<Real, Last>& stretch,
+    FacetSearch(const Ray<Real>& ray, const RayInterval<Real, Last>& interval,
                 const FacetSurface<Real>& surface, Report& report)
         : ray_(ray),
-          stretch_(stretch),
+          interval_(interval),
           shear_(shear_of(ray)),
           halvings_(surface.halvings),
           report_(report) {
@@ -122,7 +125,7 @@ class FacetSearch {
                   no_plane<Real> * length_squared(ab) * length_squared(ac)))
                 continue;
             TriangleHit<Real> hit;
-            if (intersect(triangle, ray_, shear_, stretch_, hit) &&
+            if (intersect(triangle, ray_, shear_, interval_, hit) &&
                 report_(Crossing<Real>{hit.t, hit.error, 2 * cell + which, hit.entering}, hit.u,
                         hit.v))
                 return true;
@@ -131,17 +134,18 @@ class FacetSearch {
     }
 
     const Ray<Real>& ray_;
-    const Stretch<Real, Last>& stretch_;
+    const RayInterval<Real, Last>& interval_;
     Shear<Real> shear_;
     int halvings_;
     Report& report_;
 };
 
 template <class Real, class Last, class Report>
-void crossings(const FacetSolid<Real>& solid, const Ray<Real>& ray, const Known& /*known*/,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const FacetSolid<Real>& solid, const Ray<Real>& ray,
+               const IntersectionHints& /*hints*/, const RayInterval<Real, Last>& interval,
+               Report&& report) {
     const FacetSurface<Real>& surface = *solid.surface;
-    FacetSearch<Real, Last, Report> search(ray, stretch, surface, report);
+    FacetSearch<Real, Last, Report> search(ray, interval, surface, report);
     for (std::uint32_t i = 0; i < surface.homes.size(); ++i)
         if (search.visit(surface.homes[i].points, i, 0)) return;
 }

@@ -1,7 +1,10 @@
 // Cylinders and cones, truncated or not: one solid, whose radius is linear along its axis.
 #pragma once
 
-#include "tracer/ray.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/faces.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 
 namespace lancer {
 
@@ -17,16 +20,11 @@ struct FrustumSolid {
     Real radius;  ///< of the smaller end, >= 0
     Real slope;   ///< >= 0
     bool capped;
-    bool tilted = true;    ///< false: the axis is one of the coordinate axes
-    Real plain_error = 0;  ///< of `small_end` in a plain difference
-    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
+    bool tilted = true;     ///< false: the axis is one of the coordinate axes
+    Real filter_error = 0;  ///< of `small_end` in a plain difference
+    Real transform_error =
+        0;  ///< bound on how far rounding moved it when a transform put it into the world
 };
-
-namespace frustum_face {
-inline constexpr std::uint32_t mantle = 0;
-inline constexpr std::uint32_t small_cap = 1;
-inline constexpr std::uint32_t large_cap = 2;
-}  // namespace frustum_face
 
 template <class Real>
 struct FrustumLine {
@@ -58,19 +56,19 @@ FrustumLine<Real> frustum_line(const FrustumSolid<Real>& f, const Ray<Real>& ray
 /// Whether plain differences of places tell all that the query wants to know, for a line that is
 /// not known to be inside. See is_settled() of the ball.
 ///
-/// The line stays outside of the mantle for certain where the textbook discriminant is negative by
+/// The line stays outside of the side for certain where the textbook discriminant is negative by
 /// more than its own rounding and that of what follows here. Every term is a product of two of
 /// |start| + R and of |dir| + K, each taken out of a whole by some 8 roundings; the plain
 /// difference that `line` was formed from is off by u of the places' sizes.
 ///
-/// Where it is 4096 times as large as that noise, and the line not nearly as steep as the mantle,
-/// the roots by plain numbers and mantle_bound() are off by less than half the chord / 1000: with S
+/// Where it is 4096 times as large as that noise, and the line not nearly as steep as the side,
+/// the roots by plain numbers and side_bound() are off by less than half the chord / 1000: with S
 /// the size of start and radius and k <= 16 by how much qa is less than its terms, the line is
 /// displaced by at most (40 + 16 k) u S, and half the chord is more than 1448 sqrt(u) k S / |dir|.
-/// The mantle counts between the caps, which is told from where along the axis the roots lie.
+/// The side counts between the caps, which is told from where along the axis the roots lie.
 template <class Real, class Last>
 bool is_settled(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line,
-                const Known& known, const Stretch<Real, Last>& stretch) {
+                const IntersectionHints& hints, const RayInterval<Real, Last>& interval) {
     using std::abs;
     using std::sqrt;
     const Real rate = f.slope * line.dir_axial;
@@ -79,7 +77,7 @@ bool is_settled(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frustum
     const Real qb = dot(line.start_perp, line.dir_perp) - radius * rate;
     const Real qc = dot(line.start_perp, line.start_perp) - radius * radius;
     const Real steep = (1 + f.slope * f.slope) * ray.dir_squared;
-    const Real size = size_of_place(ray.plain_error + f.plain_error);
+    const Real size = size_of_place(ray.filter_error + f.filter_error);
     const Real squares = size * size + f.radius * f.radius;
     const Real noise = gamma<Real>(512) * (steep * (1 + f.slope * f.slope)) * squares;
     const Real discriminant = qb * qb - qa * qc;
@@ -92,7 +90,7 @@ bool is_settled(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frustum
     const Real slack = half / 64;
     const Real in = middle - half;
     const Real out = middle + half;
-    if (in - slack > stretch.last() || out + slack < stretch.first) return true;
+    if (in - slack > interval.last() || out + slack < interval.first) return true;
     const Real in_axial = line.start_axial + in * line.dir_axial;
     const Real out_axial = line.start_axial + out * line.dir_axial;
     const Real margin =
@@ -101,15 +99,16 @@ bool is_settled(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frustum
     if ((in_axial < -margin && out_axial < -margin) || (in_axial > most && out_axial > most))
         return true;
     const auto at = [&](Real t, Real axial) {
-        return axial > margin && axial < f.height - margin && stretch.settles(t - slack, t + slack);
+        return axial > margin && axial < f.height - margin &&
+               interval.accepts_estimate(t - slack, t + slack);
     };
-    return stretch.may_settle && ((known.asks_about(true) && at(in, in_axial)) ||
-                                  (known.asks_about(false) && at(out, out_axial)));
+    return interval.may_accept_estimates && ((hints.asks_about(true) && at(in, in_axial)) ||
+                                             (hints.asks_about(false) && at(out, out_axial)));
 }
 
-/// The line inside the mantle prolonged to infinity, on the nappe of the solid: from `in` to `out`.
+/// The line inside the side prolonged to infinity, on the nappe of the solid: from `in` to `out`.
 template <class Real>
-struct MantleSpan {
+struct SideSpan {
     static constexpr Real infinity = std::numeric_limits<Real>::infinity();
     Real in = -infinity;
     Real out = infinity;
@@ -133,8 +132,8 @@ struct MantleSpan {
 /// apex as well (the moment form; for the cylinder, K = 0, this is r^2 - distance^2 of the two
 /// axes).
 template <class Real>
-bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, const Known& known,
-                 Real slab_in, Real slab_out, MantleSpan<Real>& span) {
+bool side_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line,
+               const IntersectionHints& hints, Real slab_in, Real slab_out, SideSpan<Real>& span) {
     using std::abs;
     using std::copysign;
     using std::sqrt;
@@ -142,10 +141,10 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
     const Real dd = dot(line.dir_perp, line.dir_perp);
     const Real rate = f.slope * line.dir_axial;
     const Real qa = dd - rate * rate;
-    const bool on_mantle = known.start_face == frustum_face::mantle;
+    const bool on_side = hints.start_face == frustum_face::side;
 
     Real slide = 0;
-    if (!on_mantle) {
+    if (!on_side) {
         if (dd > 0) slide = -dot(line.start_perp, line.dir_perp) / dd;
         if (!(slide > slab_in)) slide = slab_in;
         if (!(slide < slab_out)) slide = slab_out;
@@ -160,7 +159,7 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
     span.rate = rate;
     Real low = 0;
     Real high = 0;
-    if (on_mantle) {
+    if (on_side) {
         const Real other = qa != 0 ? -2 * qb / qa : infinity;
         low = other < 0 ? other : 0;
         high = other < 0 ? 0 : other;
@@ -171,14 +170,14 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
         const Real moment = dot(f.axis, cross(o, line.dir_perp));
         span.discriminant = dot(v, v) - moment * moment;
         if (span.discriminant < 0) {
-            // A line steeper than the mantle meets it always.
-            if (qa > 0 && !known.inside) return false;
+            // A line steeper than the side meets it always.
+            if (qa > 0 && !hints.inside) return false;
             span.discriminant = 0;
         }
         span.root = sqrt(span.discriminant);
         const Real q = -(qb + copysign(span.root, qb));
         if (q == 0) {
-            if (qa == 0 && qc > 0 && !known.inside) return false;
+            if (qa == 0 && qc > 0 && !hints.inside) return false;
             low = high = qa == 0 && qc <= 0 ? infinity : Real(0);
             if (qa == 0) low = -high;
         } else {
@@ -202,19 +201,19 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
         else
             span.out = low;
     } else if (dd > 0) {
-        // Parallel to the mantle: one finite root.
+        // Parallel to the side: one finite root.
         if (qb < 0)
             span.in = abs(low) < infinity ? low : high;
         else
             span.out = abs(low) < infinity ? low : high;
-    } else if (length(o) > radius && !known.inside && !on_mantle) {
+    } else if (length(o) > radius && !hints.inside && !on_side) {
         // Parallel to the axis of a cylinder: inside everywhere or nowhere.
         return false;
     }
     return true;
 }
 
-/// Bounds the error of a crossing of the mantle at t.
+/// Bounds the error of a crossing of the side at t.
 ///
 /// The line is displaced by `place` across the axis at most: the part along an axis is taken out
 /// twice, of the start and of the direction, and each leaves some 8 roundings of the whole, those
@@ -222,15 +221,15 @@ bool mantle_span(const FrustumSolid<Real>& f, const FrustumLine<Real>& line, con
 /// only the last difference is rounded. The radius is rounded at the size of its terms. That
 /// changes qa t^2 + 2 qb t + qc by up to w at the root, hence the discriminant by |qa| w; a root by
 /// w over twice the derivative, or near a tangent by the half chord that it adds. From a start on
-/// the mantle the other root is -2 qb / qa, and what is left of the direction turns the line about
+/// the side the other root is -2 qb / qa, and what is left of the direction turns the line about
 /// the start: qb changes by that times R.
 template <class Real>
-Real mantle_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line,
-                  const MantleSpan<Real>& span, bool on_mantle, Real t) {
+Real side_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumLine<Real>& line,
+                const SideSpan<Real>& span, bool on_side, Real t) {
     using std::abs;
     using std::sqrt;
-    Real place =
-        ray.origin_error + f.placed + gamma<Real>(4) * (length(line.start_perp) + f.radius);
+    Real place = ray.origin_error + f.transform_error +
+                 gamma<Real>(4) * (length(line.start_perp) + f.radius);
     const Real left_of_dir = f.tilted ? gamma<Real>(8) * sqrt(ray.dir_squared) : Real(0);
     if (f.tilted) place += gamma<Real>(8) * length(line.start) + left_of_dir * abs(t);
     if (f.slope != 0)
@@ -242,7 +241,7 @@ Real mantle_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Frust
     const Real steep = abs(span.qa);
     const Real terms = length(line.dir_perp) + abs(span.rate);
     Real along = 0;
-    if (on_mantle)
+    if (on_side)
         along = 2 * (place * terms + left_of_dir * (size + terms * abs(t))) / steep;
     else
         along = span.discriminant > 4 * steep * w ? Real(0.54) * w / span.root : sqrt(w / steep);
@@ -258,26 +257,26 @@ Real cap_bound(const FrustumSolid<Real>& f, const Ray<Real>& ray, const FrustumL
     using std::abs;
     const Vec3<Real> steep = absolute(f.axis);
     const Real height =
-        ray.origin_error + f.placed + gamma<Real>(4) * dot(steep, absolute(from_end));
+        ray.origin_error + f.transform_error + gamma<Real>(4) * dot(steep, absolute(from_end));
     const Real rate = gamma<Real>(3) * dot(steep, absolute(ray.dir));
     return (height + rate * abs(t)) / abs(line.dir_axial) + gamma<Real>(3) * abs(t);
 }
 
-/// The solid is the mantle's interval within that between the two caps.
+/// The solid is the side's interval within that between the two caps.
 ///
 /// \param line  from the plain difference of places
 template <class Real, class Last, class Report>
-[[gnu::noinline]] void all_crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, Known known,
-                                     FrustumLine<Real> line, const Stretch<Real, Last>& stretch,
-                                     Report& report) {
+[[gnu::noinline]] void all_crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray,
+                                     IntersectionHints hints, FrustumLine<Real> line,
+                                     const RayInterval<Real, Last>& interval, Report& report) {
     using std::abs;
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
-    const bool on_mantle = known.start_face == frustum_face::mantle;
+    const bool on_side = hints.start_face == frustum_face::side;
     if (!ray.whole) set_start(line, f, start_from(ray, f.small_end));
 
     Crossing<Real> in{-infinity, 0, 0, true};
     Crossing<Real> out{infinity, 0, 0, false};
-    bool certainly_inside = known.inside && f.capped;
+    bool certainly_inside = hints.inside && f.capped;
     const Real to_small = -line.start_axial;
     const Vec3<Real> from_large = start_from(ray, f.large_end);
     const Real to_large = -dot(f.axis, from_large);
@@ -287,38 +286,38 @@ template <class Real, class Last, class Report>
         const bool forward = line.dir_axial > 0;
         Crossing<Real> small{to_small / line.dir_axial, 0, frustum_face::small_cap, forward};
         Crossing<Real> large{to_large / line.dir_axial, 0, frustum_face::large_cap, !forward};
-        if (known.start_face == frustum_face::small_cap) small.t = 0;
-        if (known.start_face == frustum_face::large_cap) large.t = 0;
+        if (hints.start_face == frustum_face::small_cap) small.t = 0;
+        if (hints.start_face == frustum_face::large_cap) large.t = 0;
         in = forward ? small : large;
         out = forward ? large : small;
-        if (f.capped && known.start_face == in.face) certainly_inside = true;
-        if (stretch.ends_before(in.t)) return;
+        if (f.capped && hints.start_face == in.face) certainly_inside = true;
+        if (interval.ends_before(in.t)) return;
     }
 
-    MantleSpan<Real> span;
-    const Known mantle_known{known.start_face, certainly_inside};
-    if (!mantle_span(f, line, mantle_known, in.t, out.t, span)) return;
+    SideSpan<Real> span;
+    const IntersectionHints side_hints{hints.start_face, certainly_inside};
+    if (!side_span(f, line, side_hints, in.t, out.t, span)) return;
     const auto offer = [&](Crossing<Real> c) {
-        if (c.face == known.start_face && c.t == 0) return;
-        if (!(abs(c.t) < infinity) || stretch.ends_before(c.t) || !known.asks_about(c.entering))
+        if (c.face == hints.start_face && c.t == 0) return;
+        if (!(abs(c.t) < infinity) || interval.ends_before(c.t) || !hints.asks_about(c.entering))
             return;
-        c.error = c.face == frustum_face::mantle
-                      ? mantle_bound(f, ray, line, span, on_mantle, c.t)
+        c.error = c.face == frustum_face::side
+                      ? side_bound(f, ray, line, span, on_side, c.t)
                       : cap_bound(f, ray, line,
                                   c.face == frustum_face::small_cap ? line.start : from_large, c.t);
-        if (stretch.holds(c)) report(c);
+        if (interval.holds(c)) report(c);
     };
-    const Crossing<Real> mantle_in{span.in, 0, frustum_face::mantle, true};
-    const Crossing<Real> mantle_out{span.out, 0, frustum_face::mantle, false};
+    const Crossing<Real> side_in{span.in, 0, frustum_face::side, true};
+    const Crossing<Real> side_out{span.out, 0, frustum_face::side, false};
     if (!f.capped) {
         const auto is_between = [&](Real t) { return t >= in.t && t <= out.t; };
-        if (is_between(span.in)) offer(mantle_in);
-        if (is_between(span.out)) offer(mantle_out);
+        if (is_between(span.in)) offer(side_in);
+        if (is_between(span.out)) offer(side_out);
         return;
     }
-    if (on_mantle && span.in == 0) certainly_inside = true;
-    if (!(in.t > span.in)) in = mantle_in;
-    if (!(out.t < span.out)) out = mantle_out;
+    if (on_side && span.in == 0) certainly_inside = true;
+    if (!(in.t > span.in)) in = side_in;
+    if (!(out.t < span.out)) out = side_out;
     if (in.t > out.t && !certainly_inside) return;
     in.chord = out.t - in.t;
     offer(in);
@@ -326,19 +325,19 @@ template <class Real, class Last, class Report>
 }
 
 template <class Real, class Last, class Report>
-void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
     const FrustumLine<Real> plain = frustum_line(f, ray, ray.origin - f.small_end);
-    if (!known.inside && known.start_face == none && is_settled(f, ray, plain, known, stretch))
+    if (!hints.inside && hints.start_face == none && is_settled(f, ray, plain, hints, interval))
         return;
-    all_crossings(f, ray, known, plain, stretch, report);
+    all_crossings(f, ray, hints, plain, interval, report);
 }
 
 /// The crossing's point, put back onto its face.
 template <class Real>
 SurfacePoint<Real> surface_point(const FrustumSolid<Real>& f, const Ray<Real>& ray, Real t,
                                  std::uint32_t face) {
-    if (face != frustum_face::mantle) {
+    if (face != frustum_face::side) {
         const bool small = face == frustum_face::small_cap;
         const Vec3<Real> end = small ? f.small_end : f.large_end;
         Vec3<Real> offset = start_from(ray, end) + t * ray.dir;

@@ -1,7 +1,9 @@
 // Lathes: true surfaces of revolution, met without a mesh in between.
 #pragma once
 
-#include "tracer/ray.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/splines/revolution.h"
 #include "tracer/textures/mapping.h"
 
@@ -14,19 +16,19 @@ struct LatheSolid {
 };
 
 template <class Real, class Last, class Report>
-void crossings(const LatheSolid<Real>& lathe, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const LatheSolid<Real>& lathe, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
     const splines::Revolution<Real>& surface = *lathe.surface;
     const auto found =
         splines::crossings(surface, start_from(ray, Vec3<Real>(0)), ray.dir, ray.origin_error);
     std::size_t start = found.size();
-    if (known.start_face != none)
-        start = splines::start_crossing(found, surface.encloses, known.inside);
+    if (hints.start_face != none)
+        start = splines::start_crossing(found, surface.encloses, hints.inside);
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (i == start) continue;
         Crossing<Real> c{found[i].t, found[i].error, found[i].segment, found[i].entering};
         if (c.entering && i + 1 < found.size()) c.chord = found[i + 1].t - c.t;
-        if (stretch.holds(c) && !stretch.ends_before(c.t)) report(c);
+        if (interval.holds(c) && !interval.ends_before(c.t)) report(c);
     }
 }
 

@@ -6,7 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "tracer/bvh.h"
+#include "tracer/bvh/bvh.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/shear.h"
 #include "tracer/shapes/triangle_leaf.h"
 
 namespace lancer {
@@ -37,14 +39,15 @@ struct MeshInstance {
     bool smooth;
 };
 
-/// Reports every crossing of the stretch with the mesh, but for the face that the line starts on,
+/// Reports every crossing of the interval with the mesh, but for the face that the line starts on,
 /// which it meets nowhere else.
 template <class Real, class Last, class Report>
-void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray,
+               const IntersectionHints& hints, const RayInterval<Real, Last>& interval,
+               Report&& report) {
     const TriangleMesh<Real>& mesh = *instance.mesh;
     std::optional<Shear<Real>> shear;  // a ray that reaches no leaf does without
-    traverse(mesh.bvh, ray, stretch.first, stretch.last,
+    traverse(mesh.bvh, ray, interval.first, interval.last,
              [&](std::uint32_t index, std::uint32_t count) {
                  if (!shear) {
                      shear = shear_of(ray);
@@ -55,9 +58,9 @@ void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray, const K
                  for (; left != 0; left &= left - 1) {
                      const auto i = static_cast<std::size_t>(std::countr_zero(left));
                      const std::uint32_t face = leaf.face[i];
-                     if (face == known.start_face) continue;
+                     if (face == hints.start_face) continue;
                      TriangleHit<Real> hit;
-                     if (intersect_exactly(leaf.triangle(i), ray, *shear, stretch, hit)) {
+                     if (intersect_exactly(leaf.triangle(i), ray, *shear, interval, hit)) {
                          const bool inward = !mesh.inward.empty() && mesh.inward[face] != 0;
                          if (report(Crossing<Real>{hit.t, hit.error, face, hit.entering != inward},
                                     hit.u, hit.v))

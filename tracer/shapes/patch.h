@@ -9,10 +9,12 @@
 #include <optional>
 
 #include "model/shapes.h"
-#include "tracer/bounds.h"
-#include "tracer/mesh_compile.h"
+#include "tracer/rays/bounds.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/shapes/mesh.h"
-#include "tracer/splines/tessellate.h"
+#include "tracer/shapes/mesh_build.h"
+#include "tracer/tessellation/tessellate.h"
 
 namespace lancer {
 
@@ -89,9 +91,9 @@ struct PatchSolid {
 };
 
 template <class Real, class Last, class Report>
-void crossings(const PatchSolid<Real>& patch, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
-    crossings(patch.instance(), ray, known, stretch, report);
+void crossings(const PatchSolid<Real>& patch, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
+    crossings(patch.instance(), ray, hints, interval, report);
 }
 
 /// The point at weights u, v of a face, with the surface's parameters (linear within the triangle).

@@ -1,7 +1,9 @@
 // The plane: boundary of a half space, infinite, so it is in no tree.
 #pragma once
 
-#include "tracer/ray.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 
 namespace lancer {
 
@@ -9,8 +11,10 @@ template <class Real>
 struct HalfSpace {
     Vec3<Real> normal;  ///< unit length, out of the half space
     Vec3<Real> point;   ///< on the plane
-    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
-    Real plain_error = placed + plain_error_of(point);  ///< of `point` in a plain difference
+    Real transform_error =
+        0;  ///< bound on how far rounding moved it when a transform put it into the world
+    Real filter_error =
+        transform_error + filter_error_of(point);  ///< of `point` in a plain difference
     Real offset = dot(normal, point);
 };
 
@@ -27,7 +31,7 @@ struct PlaneGuess {
     PlaneGuess(const HalfSpace<Real>& half, const Ray<Real>& ray)
         : slope(dot(half.normal, ray.dir)) {
         using std::abs;
-        const Real noise = ray.plain_error + half.plain_error;
+        const Real noise = ray.filter_error + half.filter_error;
         const Real inv = 1 / slope;
         const Real t = (half.offset - dot(half.normal, ray.origin)) * inv;
         const Real slack = (9 * noise + gamma<Real>(64) * abs(t)) * abs(inv);
@@ -39,32 +43,32 @@ struct PlaneGuess {
 /// The one crossing, where it may matter.
 template <class Real, class Last, class Report>
 void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
-              const Stretch<Real, Last>& stretch, Report& report) {
+              const RayInterval<Real, Last>& interval, Report& report) {
     using std::abs;
     const Vec3<Real> rel = start_from(ray, half.point);
     const Real height = dot(half.normal, rel);
     const Real inv = 1 / slope;
     const Real t = -height * inv;
-    if (stretch.ends_before(t)) return;
+    if (interval.ends_before(t)) return;
     // Both dot products are rounded at the size of their terms, which for a normal along an axis is
     // their own.
     const Vec3<Real> steep = absolute(half.normal);
     const Real error =
-        (ray.origin_error + half.placed + gamma<Real>(4) * dot(steep, absolute(rel)) +
+        (ray.origin_error + half.transform_error + gamma<Real>(4) * dot(steep, absolute(rel)) +
          gamma<Real>(3) * abs(t) * dot(steep, absolute(ray.dir))) *
             abs(inv) +
         gamma<Real>(4) * abs(t);
     const Crossing<Real> c{t, error, 0, slope < 0};
-    if (stretch.holds(c)) report(c);
+    if (interval.holds(c)) report(c);
 }
 
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray,
-                                 const Known& known, const Stretch<Real, Last>& stretch,
-                                 Report&& report) {
-    if (known.start_face != none) return;  // a line meets a plane once
+                                 const IntersectionHints& hints,
+                                 const RayInterval<Real, Last>& interval, Report&& report) {
+    if (hints.start_face != none) return;  // a line meets a plane once
     const Real slope = dot(half.normal, ray.dir);
-    if (slope != 0) crossing(half, ray, slope, stretch, report);
+    if (slope != 0) crossing(half, ray, slope, interval, report);
 }
 
 /// The crossing's point, put back onto the plane.

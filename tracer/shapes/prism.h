@@ -1,7 +1,9 @@
 // Prisms: a true outline drawn up along y, met without a mesh in between.
 #pragma once
 
-#include "tracer/ray.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/splines/extrusion.h"
 
 namespace lancer {
@@ -14,15 +16,15 @@ struct PrismSolid {
 };
 
 template <class Real, class Last, class Report>
-void crossings(const PrismSolid<Real>& prism, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
-    const splines::KnownStart start{known.start_face, known.inside};
+void crossings(const PrismSolid<Real>& prism, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
+    const splines::KnownStart start{hints.start_face, hints.inside};
     const auto found = splines::crossings(*prism.surface, start_from(ray, Vec3<Real>(0)), ray.dir,
                                           ray.origin_error, start);
     for (std::size_t i = 0; i < found.size(); ++i) {
         Crossing<Real> c{found[i].t, found[i].error, found[i].segment, found[i].entering};
         if (c.entering && i + 1 < found.size()) c.chord = found[i + 1].t - c.t;
-        if (stretch.holds(c) && !stretch.ends_before(c.t)) report(c);
+        if (interval.holds(c) && !interval.ends_before(c.t)) report(c);
     }
 }
 

@@ -1,7 +1,9 @@
 // The ball.
 #pragma once
 
-#include "tracer/ray.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 
 namespace lancer {
 
@@ -9,8 +11,10 @@ template <class Real>
 struct BallSolid {
     Vec3<Real> center;
     Real radius;
-    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
-    Real plain_error = placed + plain_error_of(center);  ///< of `center` in a plain difference
+    Real transform_error =
+        0;  ///< bound on how far rounding moved it when a transform put it into the world
+    Real filter_error =
+        transform_error + filter_error_of(center);  ///< of `center` in a plain difference
 };
 
 /// Whether plain differences of places tell all that the query wants to know. A filter as in
@@ -25,54 +29,55 @@ struct BallSolid {
 /// Where it is 4096 times as large as that noise, the textbook's roots are off by less than half
 /// the chord / 4096, and both_crossings() bounds its own by less than 1/2000 of that: the place is
 /// off by 25 u T, T the root of the terms, while half the chord is more than 620 sqrt(u) T / |d|.
-/// So the chord is clear of the stretch when its middle lies before the first parameter, or beyond
+/// So the chord is clear of the interval when its middle lies before the first parameter, or beyond
 /// the last, by more than 65/64 of half of it, which takes no root to tell. The way in is behind as
 /// soon as the middle is: enough where nothing is asked about the way out.
 template <class Real, class Last>
-bool is_settled(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& known,
-                const Stretch<Real, Last>& stretch) {
+bool is_settled(const BallSolid<Real>& ball, const Ray<Real>& ray, const IntersectionHints& hints,
+                const RayInterval<Real, Last>& interval) {
     using std::sqrt;
     const Vec3<Real> f = ray.origin - ball.center;
     const Real along = dot(f, ray.dir);
     const Real ff = dot(f, f);
     const Real rr = ball.radius * ball.radius;
-    const Real size = size_of_place(ray.plain_error + ball.plain_error);
+    const Real size = size_of_place(ray.filter_error + ball.filter_error);
     const Real terms = ff + rr + size * size;
     const Real discriminant = along * along - ray.dir_squared * (ff - rr);
     const Real noise = gamma<Real>(96) * (ray.dir_squared * terms);
     if (discriminant < -noise) return true;
     if (!(discriminant > 4096 * noise)) return false;
-    const Real to_first = along + stretch.first * ray.dir_squared;
-    const Real from_last = -along - stretch.last() * ray.dir_squared;
+    const Real to_first = along + interval.first * ray.dir_squared;
+    const Real from_last = -along - interval.last() * ray.dir_squared;
     const Real away = to_first > from_last ? to_first : from_last;
     if (away > 0 &&
-        (away * away > Real(1.04) * discriminant || (away == to_first && !known.asks_about(false))))
+        (away * away > Real(1.04) * discriminant || (away == to_first && !hints.asks_about(false))))
         return true;
-    if (!stretch.may_settle) return false;
+    if (!interval.may_accept_estimates) return false;
     const Real half = sqrt(discriminant) * ray.inv_squared;
     const Real middle = -along * ray.inv_squared;
     const Real slack = half / 64;
-    const auto at = [&](Real t) { return stretch.settles(t - slack, t + slack); };
-    return (known.asks_about(true) && at(middle - half)) ||
-           (known.asks_about(false) && at(middle + half));
+    const auto at = [&](Real t) { return interval.accepts_estimate(t - slack, t + slack); };
+    return (hints.asks_about(true) && at(middle - half)) ||
+           (hints.asks_about(false) && at(middle + half));
 }
 
 /// The known root is 0, so the other is twice the middle (Vieta).
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void crossing_from_surface(const BallSolid<Real>& ball, const Ray<Real>& ray,
-                                             const Stretch<Real, Last>& stretch, Report& report) {
+                                             const RayInterval<Real, Last>& interval,
+                                             Report& report) {
     using std::abs;
     using std::sqrt;
     const Vec3<Real> from_center = start_from(ray, ball.center);
     const Real t = -2 * dot(from_center, ray.dir) * ray.inv_squared;
-    if (stretch.ends_before(t)) return;
+    if (interval.ends_before(t)) return;
     // Each term of the product is rounded 4 times, |d|^2 and the quotient another 4 times.
     const Real size = dot(absolute(from_center), absolute(ray.dir));
     const Real error = gamma<Real>(8) * size * ray.inv_squared +
-                       2 * (ray.origin_error + ball.placed) * sqrt(ray.inv_squared) +
+                       2 * (ray.origin_error + ball.transform_error) * sqrt(ray.inv_squared) +
                        gamma<Real>(7) * abs(t);
     const Crossing<Real> c{t, error, 0, t < 0};
-    if (stretch.holds(c)) report(c);
+    if (interval.holds(c)) report(c);
 }
 
 /// |f|^2 - r^2 with its relative precision near the surface: it takes the largest component of f
@@ -110,8 +115,8 @@ struct Power {
 /// ch. 7. The second projection removes what the first left along the ray.
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void both_crossings(const BallSolid<Real>& ball, const Ray<Real>& ray,
-                                      Known known, const Stretch<Real, Last>& stretch,
-                                      Report& report) {
+                                      IntersectionHints hints,
+                                      const RayInterval<Real, Last>& interval, Report& report) {
     using std::abs;
     using std::copysign;
     using std::sqrt;
@@ -124,7 +129,7 @@ template <class Real, class Last, class Report>
     // The square of half the chord, in units of t. 5 roundings of r^2 at most.
     Real square = (ball.radius * ball.radius - dot(l, l)) * ray.inv_squared;
     if (square < 0) {
-        if (!known.inside) return;
+        if (!hints.inside) return;
         square = 0;
     }
     const Real half = sqrt(square);
@@ -147,7 +152,7 @@ template <class Real, class Last, class Report>
     const auto bound = [&](Real t, bool divided) {
         const Vec3<Real> size = absolute(f);
         const Real f_sum = size.x + size.y + size.z;
-        const Real start_error = ray.origin_error + ball.placed;
+        const Real start_error = ray.origin_error + ball.transform_error;
         const Real place = start_error + gamma<Real>(3) * (f_sum + ball.radius);
         const Real w = place * (2 * ball.radius + place) * ray.inv_squared;
         const Real q_error =
@@ -156,23 +161,23 @@ template <class Real, class Last, class Report>
         const Real c_error = gamma<Real>(5) * c_terms + 2 * start_error * f_sum;
         return (c_error * ray.inv_squared + abs(t) * q_error) / abs(q) + gamma<Real>(5) * abs(t);
     };
-    if (stretch.ends_before(t_in)) return;
-    if (known.asks_about(true)) {
+    if (interval.ends_before(t_in)) return;
+    if (hints.asks_about(true)) {
         const Crossing<Real> in{t_in, bound(t_in, q > 0), 0, true, t_out - t_in};
-        if (stretch.holds(in)) report(in);
+        if (interval.holds(in)) report(in);
     }
-    if (stretch.ends_before(t_out) || !known.asks_about(false)) return;
+    if (interval.ends_before(t_out) || !hints.asks_about(false)) return;
     const Crossing<Real> out{t_out, bound(t_out, q < 0), 0, false};
-    if (stretch.holds(out)) report(out);
+    if (interval.holds(out)) report(out);
 }
 
 template <class Real, class Last, class Report>
-void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
-    if (known.start_face != none)
-        crossing_from_surface(ball, ray, stretch, report);
-    else if (known.inside || !is_settled(ball, ray, known, stretch))
-        both_crossings(ball, ray, known, stretch, report);
+void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
+    if (hints.start_face != none)
+        crossing_from_surface(ball, ray, interval, report);
+    else if (hints.inside || !is_settled(ball, ray, hints, interval))
+        both_crossings(ball, ray, hints, interval, report);
 }
 
 /// The crossing's point, put back onto the sphere; or, next to a giant one, taken from the ray,

@@ -1,7 +1,10 @@
 // Triangles: alone, and in meshes that share their vertices.
 #pragma once
 
-#include "tracer/ray.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/shear.h"
+#include "tracer/rays/surface_point.h"
 
 namespace lancer {
 
@@ -10,7 +13,8 @@ struct TriangleSheet {
     Vec3<Real> a;
     Vec3<Real> b;
     Vec3<Real> c;
-    Real placed = 0;  ///< bound on how far rounding moved it when a transform put it into the world
+    Real transform_error =
+        0;  ///< bound on how far rounding moved it when a transform put it into the world
 
     /// The largest size of a coordinate.
     Real reach() const {
@@ -40,8 +44,8 @@ struct TriangleHit {
 ///   by their distance in z from the hit;
 /// - the weighted mean of the corners' z errs by a few u of its terms.
 template <class Real>
-Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real placed, const Vec3<Real>& a,
-                    const Vec3<Real>& b, const Vec3<Real>& c, Real det, Real t,
+Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real transform_error,
+                    const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c, Real det, Real t,
                     const Vec3<Real>& products, const Vec3<Real>& z) {
     using std::abs;
     const Vec3<Real> n = absolute(cross(b - a, c - a));
@@ -54,7 +58,7 @@ Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real placed, con
     const Real along = size[s.z];
     const Real moved = n[s.x] * (2 * size[s.x] + 6 * abs(s.sx) * along) +
                        n[s.y] * (2 * size[s.y] + 6 * abs(s.sy) * along) + n[s.z] * along;
-    const Real by_start = (ray.origin_error + placed) * (n.x + n.y + n.z);
+    const Real by_start = (ray.origin_error + transform_error) * (n.x + n.y + n.z);
     const Real weights = products.x * (abs(z.x - t) + abs(z.x)) +
                          products.y * (abs(z.y - t) + abs(z.y)) +
                          products.z * (abs(z.z - t) + abs(z.z));
@@ -96,10 +100,11 @@ struct Sheared {
 /// edge value whose products are equal takes its exact sign from their rounding errors, where the
 /// paper goes to a wider type.
 ///
-/// Returns false for a hit outside of the stretch, too.
+/// Returns false for a hit outside of the interval, too.
 template <class Real, class Last>
 [[gnu::noinline]] bool intersect_exactly(const TriangleSheet<Real>& triangle, const Ray<Real>& ray,
-                                         const Shear<Real>& s, const Stretch<Real, Last>& stretch,
+                                         const Shear<Real>& s,
+                                         const RayInterval<Real, Last>& interval,
                                          TriangleHit<Real>& hit) {
     using std::abs;
     const Vec3<Real> a = -start_from(ray, triangle.a);
@@ -117,18 +122,18 @@ template <class Real, class Last>
     const Real cz = s.sz * c[s.z];
     const Real t = (u * az + v * bz + w * cz) / det;
 
-    if (stretch.ends_before(t)) return false;
+    if (interval.ends_before(t)) return false;
 
     hit.t = t;
     hit.error =
-        triangle_error(ray, s, triangle.placed, a, b, c, det, t,
+        triangle_error(ray, s, triangle.transform_error, a, b, c, det, t,
                        {abs(p.cx * p.by) + abs(p.cy * p.bx), abs(p.ax * p.cy) + abs(p.ay * p.cx),
                         abs(p.bx * p.ay) + abs(p.by * p.ax)},
                        {az, bz, cz});
     hit.u = v / det;
     hit.v = w / det;
     hit.entering = det > 0;
-    return t + hit.error >= stretch.first;
+    return t + hit.error >= interval.first;
 }
 
 /// A corner relative to the ray's start as filters take it: by the plain difference, or where the
@@ -152,8 +157,8 @@ template <class Real>
 /// The same as intersect_exactly(), with the filter before it.
 template <class Real, class Last>
 bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& s,
-               const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
-    return may_meet(triangle, ray, s) && intersect_exactly(triangle, ray, s, stretch, hit);
+               const RayInterval<Real, Last>& interval, TriangleHit<Real>& hit) {
+    return may_meet(triangle, ray, s) && intersect_exactly(triangle, ray, s, interval, hit);
 }
 
 /// A bound on the distance from the plane of edges `ab`, `ac` of a point computed as u ab + v ac:

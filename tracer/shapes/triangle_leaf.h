@@ -1,12 +1,13 @@
 // The triangles of a leaf, side by side.
 #pragma once
 
-#include "tracer/lanes.h"
+#include "tracer/numerics/lanes.h"
+#include "tracer/rays/shear.h"
 #include "tracer/shapes/triangle.h"
 
 namespace lancer {
 
-/// Up to four faces of a mesh, so that one stretch of memory has all that a ray asks of them and
+/// Up to four faces of a mesh, so that one interval of memory has all that a ray asks of them and
 /// one instruction can test several.
 template <class Real>
 struct TriangleLeaf {

@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-#include "tracer/rounding.h"
+#include "tracer/numerics/rounding.h"
 #include "tracer/splines/bernstein.h"
 
 namespace lancer::splines {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "model/affine.h"
-#include "tracer/ray.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/surface_point.h"
 
 namespace lancer {
 

@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "model/scene.h"
+#include "tracer/rays/faces.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/textures/mapping.h"
 
 namespace lancer {
@@ -92,7 +94,7 @@ ImagePoint<Real> uv_at(const FrustumChart<Real>& chart, const ChartPoint<Real>& 
     const Vec3<Real> own(dot(chart.x, rel), dot(chart.y, rel), dot(chart.z, rel));
     const bool base = (p.face == frustum_face::small_cap) == chart.base_is_small;
     const Real across = 2 * (base ? chart.base_radius : chart.top_radius);
-    if (p.face == frustum_face::mantle || !(across > 0)) {
+    if (p.face == frustum_face::side || !(across > 0)) {
         const Vec3<Real> unit_high(own.x, own.y / chart.height, own.z);
         return cylindrical(PatternPoint<Real>{
             unit_high, Vec3<Real>(spread, spread / chart.height + gamma<Real>(4), spread)});

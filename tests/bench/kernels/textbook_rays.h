@@ -4,7 +4,9 @@
 #pragma once
 
 #include "tests/bench/kernels/textbook_methods.h"
-#include "tracer/ray.h"
+#include "tracer/rays/frame.h"
+#include "tracer/rays/ray.h"
+#include "tracer/rays/shear.h"
 
 namespace lancer {
 
@@ -15,7 +17,8 @@ Shear<Real> shear_of(const Ray<Real>&) {
 }
 
 template <methods::Places Real>
-[[gnu::always_inline]] inline VectorSum<Real> two_sum(const Vec3<Real>& a, const Vec3<Real>& b) {
+[[gnu::always_inline]] inline DoubleWordVector<Real> two_sum(const Vec3<Real>& a,
+                                                             const Vec3<Real>& b) {
     return {a + b, Vec3<Real>(0)};
 }
 

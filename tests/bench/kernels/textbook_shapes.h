@@ -5,24 +5,27 @@
 #pragma once
 
 #include "tests/bench/kernels/textbook_rays.h"
-#include "tracer/surface.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/shear.h"
+#include "tracer/rays/surface_point.h"
+#include "tracer/shading/surface.h"
 
 namespace lancer {
 
-/// Worlds have an extent near 1 (tracer/scale.h).
+/// Worlds have an extent near 1 (tracer/compile/scale.h).
 inline constexpr double textbook_epsilon = 1e-9;
 
 template <methods::Shapes Real, class Last, class Report>
-void report_beyond_start(Real t, std::uint32_t face, bool entering, const Known& known,
-                         const Stretch<Real, Last>& stretch, Report&& report) {
-    if (known.start_face != none && t < textbook_epsilon && t > -textbook_epsilon) return;
-    if (t > stretch.first && !stretch.ends_before(t))
+void report_beyond_start(Real t, std::uint32_t face, bool entering, const IntersectionHints& hints,
+                         const RayInterval<Real, Last>& interval, Report&& report) {
+    if (hints.start_face != none && t < textbook_epsilon && t > -textbook_epsilon) return;
+    if (t > interval.first && !interval.ends_before(t))
         report(Crossing<Real>{t, textbook_epsilon, face, entering});
 }
 
 template <methods::Shapes Real, class Last, class Report>
-void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
     const Vec3<Real> f = start_from(ray, ball.center);
     const Real a = ray.dir_squared;
     const Real b = dot(f, ray.dir);
@@ -30,8 +33,8 @@ void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const Known& k
     const Real discriminant = b * b - a * c;
     if (discriminant < 0) return;
     const Real root = sqrt(discriminant);
-    report_beyond_start((-b - root) / a, 0, true, known, stretch, report);
-    report_beyond_start((-b + root) / a, 0, false, known, stretch, report);
+    report_beyond_start((-b - root) / a, 0, true, hints, interval, report);
+    report_beyond_start((-b + root) / a, 0, false, hints, interval, report);
 }
 
 template <methods::Shapes Real>
@@ -46,8 +49,8 @@ SurfacePoint<Real> surface_point(const BallSolid<Real>& ball, const Ray<Real>& r
 }
 
 template <methods::Shapes Real, class Last, class Report>
-void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
     const Vec3<Real> from_min = start_from(ray, box.min);
     const Vec3<Real> from_max = start_from(ray, box.max);
     Real in = -std::numeric_limits<Real>::infinity();
@@ -72,8 +75,8 @@ void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Known& kno
         }
     }
     if (in > out) return;
-    report_beyond_start(in, in_face, true, known, stretch, report);
-    report_beyond_start(out, out_face, false, known, stretch, report);
+    report_beyond_start(in, in_face, true, hints, interval, report);
+    report_beyond_start(out, out_face, false, hints, interval, report);
 }
 
 template <methods::Shapes Real>
@@ -85,12 +88,12 @@ SurfacePoint<Real> surface_point(const BoxSolid<Real>&, const Ray<Real>& ray, Re
 }
 
 template <methods::Shapes Real, class Last, class Report>
-void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const HalfSpace<Real>& half, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
     const Real slope = dot(half.normal, ray.dir);
     if (slope == 0) return;
-    report_beyond_start(-dot(half.normal, start_from(ray, half.point)) / slope, 0, slope < 0, known,
-                        stretch, report);
+    report_beyond_start(-dot(half.normal, start_from(ray, half.point)) / slope, 0, slope < 0, hints,
+                        interval, report);
 }
 
 template <methods::Shapes Real>
@@ -135,7 +138,7 @@ template <methods::Shapes Real>
 
 template <methods::Shapes Real, class Last>
 bool intersect_exactly(const TriangleSheet<Real>& triangle, const Ray<Real>& ray,
-                       const Shear<Real>&, const Stretch<Real, Last>& stretch,
+                       const Shear<Real>&, const RayInterval<Real, Last>& interval,
                        TriangleHit<Real>& hit) {
     const Vec3<Real> ab = triangle.b - triangle.a;
     const Vec3<Real> ac = triangle.c - triangle.a;
@@ -152,18 +155,18 @@ bool intersect_exactly(const TriangleSheet<Real>& triangle, const Ray<Real>& ray
     hit.t = dot(ac, q) * inverse_det;
     hit.error = textbook_epsilon;
     hit.entering = det > 0;
-    return hit.t > stretch.first && !stretch.ends_before(hit.t);
+    return hit.t > interval.first && !interval.ends_before(hit.t);
 }
 
 template <methods::Shapes Real, class Last>
 bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& shear,
-               const Stretch<Real, Last>& stretch, TriangleHit<Real>& hit) {
-    return intersect_exactly(triangle, ray, shear, stretch, hit);
+               const RayInterval<Real, Last>& interval, TriangleHit<Real>& hit) {
+    return intersect_exactly(triangle, ray, shear, interval, hit);
 }
 
 template <methods::Shapes Real, class Last, class Report>
-void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& known,
-               const Stretch<Real, Last>& stretch, Report&& report) {
+void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const IntersectionHints& hints,
+               const RayInterval<Real, Last>& interval, Report&& report) {
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const Vec3<Real> start = start_from(ray, f.small_end);
     const Real axial = dot(f.axis, start);
@@ -192,28 +195,28 @@ void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Known& k
     const Real root = sqrt(discriminant);
     Real near = (-b - root) / a;
     Real far = (-b + root) / a;
-    if (a < 0) {  // along the mantle or steeper: inside beyond the roots, on the wider nappe
+    if (a < 0) {  // along the side or steeper: inside beyond the roots, on the wider nappe
         near = rate > 0 ? near : -infinity;
         far = rate > 0 ? infinity : far;
     }
     if (!f.capped) {
         if (near >= small && near <= large)
-            report_beyond_start(near, frustum_face::mantle, true, known, stretch, report);
+            report_beyond_start(near, frustum_face::side, true, hints, interval, report);
         if (far >= small && far <= large)
-            report_beyond_start(far, frustum_face::mantle, false, known, stretch, report);
+            report_beyond_start(far, frustum_face::side, false, hints, interval, report);
         return;
     }
     if (near > small) {
         small = near;
-        in_face = frustum_face::mantle;
+        in_face = frustum_face::side;
     }
     if (far < large) {
         large = far;
-        out_face = frustum_face::mantle;
+        out_face = frustum_face::side;
     }
     if (small > large) return;
-    report_beyond_start(small, in_face, true, known, stretch, report);
-    report_beyond_start(large, out_face, false, known, stretch, report);
+    report_beyond_start(small, in_face, true, hints, interval, report);
+    report_beyond_start(large, out_face, false, hints, interval, report);
 }
 
 template <methods::Shapes Real>

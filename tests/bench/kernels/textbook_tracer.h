@@ -3,7 +3,8 @@
 #pragma once
 
 #include "tests/bench/kernels/textbook_shapes.h"
-#include "tracer/shadow.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/shading/shadow.h"
 
 namespace lancer {
 
@@ -22,39 +23,41 @@ class NearestPlanes<Real> {
     Real limit() const { return std::numeric_limits<Real>::infinity(); }
     template <class Bodies, class Last, class Sees, class Report>
     [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
-                                     const Start<Real>&, const Acceptance<Real, Bodies>& accept,
-                                     const Stretch<Real, Last>& stretch, const Sees& sees,
+                                     const Start<Real>&,
+                                     const IntersectionFilter<Real, Bodies>& accept,
+                                     const RayInterval<Real, Last>& interval, const Sees& sees,
                                      const Report& report) {
         const auto end = static_cast<std::uint32_t>(world.primitives.size());
         for (std::uint32_t i = world.bounded; i < end; ++i) {
             if (sees(i))
-                crossings(plane_of(world, i), ray, accept.known(i), stretch,
+                crossings(plane_of(world, i), ray, accept.hints(i), interval,
                           [&](const Crossing<Real>& c) { report(i, c); });
         }
     }
     bool wait() const { return false; }
     template <class Last, class Report>
-    void form(const World<Real>&, const Ray<Real>&, const Stretch<Real, Last>&, const Report&) {}
+    void form(const World<Real>&, const Ray<Real>&, const RayInterval<Real, Last>&, const Report&) {
+    }
 };
 
 template <methods::Shapes Real, class Bodies, class Last, class Sees, class Report>
 [[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
-                                                     const Acceptance<Real, Bodies>& accept,
-                                                     const Stretch<Real, Last>& stretch,
+                                                     const IntersectionFilter<Real, Bodies>& accept,
+                                                     const RayInterval<Real, Last>& interval,
                                                      const Sees& is_seen, const Report& report) {
     const auto end = static_cast<std::uint32_t>(world.primitives.size());
     for (std::uint32_t i = world.bounded; i < end; ++i) {
-        if (is_seen(i)) crossings(plane_of(world, i), ray, accept.known(i), stretch, report);
-        if (stretch.last.survey.way == Way::blocked) return;
+        if (is_seen(i)) crossings(plane_of(world, i), ray, accept.hints(i), interval, report);
+        if (interval.last.query.occlusion == Occlusion::blocked) return;
     }
 }
 
 template <methods::Contacts Real, class Bodies>
-class Acceptance<Real, Bodies> {
+class IntersectionFilter<Real, Bodies> {
   public:
-    Acceptance(const World<Real>&, const Start<Real>& start, const Bodies&)
+    IntersectionFilter(const World<Real>&, const Start<Real>& start, const Bodies&)
         : nearest_(start.t + textbook_epsilon) {}
-    Known known(std::uint32_t) const { return {}; }
+    IntersectionHints hints(std::uint32_t) const { return {}; }
     bool operator()(std::uint32_t, const Crossing<Real>& c) const { return c.t > nearest_; }
     Real met_at(const Crossing<Real>& c) const { return c.t; }
     bool starts_on(std::uint32_t) const { return false; }

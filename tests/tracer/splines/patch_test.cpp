@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "model/patch_net.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/surface_point.h"
 #include "tracer/render.h"
 #include "tracer/shapes/bicubic.h"
-#include "tracer/splines/tessellate.h"
+#include "tracer/tessellation/tessellate.h"
 
 namespace lancer {
 namespace {
@@ -47,7 +49,7 @@ struct Met {
 std::vector<Met> meetings(const BicubicSurface<double>& surface, const Ray<double>& ray) {
     std::vector<Met> met;
     const BicubicSolid<double> solid{&surface};
-    crossings(solid, ray, Known{}, whole_line<double>(),
+    crossings(solid, ray, IntersectionHints{}, whole_line<double>(),
               [&](const Crossing<double>& c, double u, double v) {
                   met.push_back({c.t, c.error, bicubic_point(solid, c.face, u, v)});
                   return false;

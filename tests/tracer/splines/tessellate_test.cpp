@@ -1,4 +1,4 @@
-#include "tracer/splines/tessellate.h"
+#include "tracer/tessellation/tessellate.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "model/io/file.h"
 #include "parser/parse.h"
 #include "tests/tracer/splines/fewest_grid.h"
-#include "tracer/splines/tessellate.h"
+#include "tracer/tessellation/tessellate.h"
 
 namespace lancer::splines {
 namespace {

@@ -1,0 +1,11 @@
+// What a long computation tells while it runs.
+#pragma once
+
+#include <functional>
+
+namespace lancer {
+
+/// Called now and then from the thread that called the computation, with the share done, 0..1.
+using Progress = std::function<void(double share)>;
+
+}  // namespace lancer

@@ -1,0 +1,286 @@
+// Scene → World: number type, scale, primitives, trees. Included by the files that instantiate it.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "model/bodies.h"
+#include "model/diagnostic.h"
+#include "model/plain_color.h"
+#include "model/requirements.h"
+#include "model/splines.h"
+#include "tracer/bvh/build.h"
+#include "tracer/compile/primitive_bounds.h"
+#include "tracer/compile/scale.h"
+#include "tracer/compile/shape_compiler.h"
+#include "tracer/compile/texture_compiler.h"
+#include "tracer/shapes/mesh_build.h"
+
+namespace lancer {
+
+/// Deeper recursion would need more stack than a thread has, and no picture shows it.
+inline constexpr int deepest = 1000;
+
+template <class Real>
+class Compiler {
+  public:
+    Compiler(const Scene& scene, const Settings& settings, const PovRayRules* by_povray)
+        : scene_(scene),
+          settings_(settings),
+          by_povray_(by_povray),
+          world_(std::make_unique<World<Real>>()) {
+        threads_ = settings.threads > 0 ? settings.threads
+                                        : static_cast<int>(std::thread::hardware_concurrency());
+    }
+
+    std::unique_ptr<World<Real>> run() {
+        if (settings_.max_depth > deepest)
+            throw SceneError({}, "max_depth above 1000 is not supported");
+        world_->settings = settings_;
+        world_->scale_exponent = scale_exponent(scene_);
+        world_->background = in_range(scene_.background, {}, "background");
+        world_->ambient = in_range(scene_.ambient, {}, "ambient");
+        for (const Material& m : scene_.materials) add_finish(m);
+        if (world_->has_textures) compile_textures(scene_, *world_);
+        for (const Light& light : scene_.lights) add_light(light);
+        add_objects();
+        add_tree();
+        list_mediums();
+        return std::move(world_);
+    }
+
+  private:
+    int scale() const { return world_->scale_exponent; }
+
+    Vec3<Real> in_range(const Vec3d& v, const SourceSpan& place, const char* what) const {
+        const Vec3<Real> r = convert<Real>(v);
+        if (!is_finite(r))
+            throw SceneError(place,
+                             std::string(what) + " leaves the range of the chosen precision");
+        return r;
+    }
+    Real length_in_world(double x) const { return ldexp(static_cast<Real>(x), scale()); }
+
+    void add_finish(const Material& m) {
+        Finish<Real> f;
+        f.color = in_range(settings_.textures ? m.color : plain_color(scene_, m), {},
+                           "a material's color");
+        f.texture = settings_.textures ? m.texture : none;
+        if (f.texture != none) world_->has_textures = true;
+        f.ambient = static_cast<Real>(m.ambient);
+        f.diffuse = static_cast<Real>(m.diffuse);
+        f.emission = in_range(m.emission, {}, "a material's emission");
+        f.phong = static_cast<Real>(m.phong);
+        f.shininess = static_cast<Real>(m.shininess);
+        f.blinn = static_cast<Real>(m.blinn);
+        f.inverse_roughness = 1 / static_cast<Real>(m.roughness);
+        f.metallic = static_cast<Real>(m.metallic);
+        f.reflection = in_range(m.reflection, {}, "a material's reflection");
+        f.fresnel = m.fresnel;
+        f.transmission = static_cast<Real>(m.transmission);
+        f.filter = static_cast<Real>(m.filter);
+        f.ior = static_cast<Real>(m.ior);
+        const Vec3d& a = m.absorption;
+        f.absorption = Vec3<Real>(ldexp(static_cast<Real>(a.x), -scale()),
+                                  ldexp(static_cast<Real>(a.y), -scale()),
+                                  ldexp(static_cast<Real>(a.z), -scale()));
+        f.absorbs = max_component(f.absorption) > 0;
+        f.diffuse_transmission = static_cast<Real>(m.diffuse_transmission);
+        f.phong_transmission = static_cast<Real>(m.phong_transmission);
+        f.lit_from_behind = m.diffuse_transmission > 0 || m.phong_transmission > 0;
+        world_->finishes.push_back(f);
+    }
+
+    void add_light(const Light& light) {
+        using Kind = typename LightSource<Real>::Kind;
+        LightSource<Real> s{};
+        s.color = in_range(light.color, light.place, "a light's color");
+        s.shadows = light.shadows;
+        const auto unit_of = [](const Vec3d& v) {
+            return normalize(convert<Real>(v / max_component(absolute(v))));
+        };
+        const auto place = [&](const Vec3d& p) { return convert<Real>(scaled(p, scale())); };
+        const auto set_fade = [&](const std::optional<Fade>& fade) {
+            if (!fade) return;
+            s.fades = true;
+            s.fade_distance = length_in_world(fade->distance);
+            s.fade_power = static_cast<Real>(fade->power);
+        };
+        if (const auto* point = std::get_if<PointLight>(&light.kind)) {
+            s.kind = Kind::point;
+            s.position = place(point->position);
+            set_fade(point->fade);
+        } else if (const auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
+            s.kind = Kind::directional;
+            s.direction = -unit_of(sun->direction);
+        } else {
+            const SpotLight& spot = std::get<SpotLight>(light.kind);
+            const auto cosine = [](double angle) {
+                return elementary::cos(static_cast<Real>(angle) *
+                                       static_cast<Real>(std::numbers::pi_v<Wide<Real>> / 180));
+            };
+            s.kind = Kind::spot;
+            s.position = place(spot.position);
+            s.direction = unit_of(scaled(spot.look_at, scale()) - scaled(spot.position, scale()));
+            s.cos_radius = cosine(spot.radius);
+            s.cos_falloff = cosine(spot.falloff);
+            s.tightness = static_cast<Real>(spot.tightness);
+            set_fade(spot.fade);
+        }
+        world_->lights.push_back(s);
+    }
+
+    void add_objects() {
+        const MeshTable meshes = mesh_needs();
+        std::vector<Primitive<Real>> unbounded;
+        std::vector<Primitive<Real>>& bounded = world_->primitives;
+        bounded.reserve(scene_.objects.size());
+        ShapeCompiler<Real> solids(scene_, settings_, by_povray_, *world_);
+        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+            const Object& object = scene_.objects[i];
+            if (is_nothing(object.shape)) continue;
+            Primitive<Real> p = solids.make(object, mesh_of(object, meshes));
+            p.object = i;
+            p.material = object.material;
+            p.casts_shadow = object.casts_shadow;
+            if (world_->finishes[object.material].texture != none) {
+                p.texture_binding = static_cast<std::uint32_t>(world_->texture_bindings.size());
+                world_->texture_bindings.push_back(
+                    bind_texture(scene_, *world_, object, p, solids.own_exponent(object)));
+            }
+            const Material& m = scene_.materials[object.material];
+            p.transmissive = lets_light_through(scene_, m, settings_.textures);
+            const bool has_matter = inside_matters(m);
+            // Whether a mesh has an inside takes a while to find out, so it is asked only when it
+            // matters.
+            p.body = (has_matter || !std::holds_alternative<MeshRef>(object.shape)) &&
+                     is_body(scene_, object.shape);
+            p.convex = is_convex(p.solid);
+            p.medium = p.body && has_matter;
+            const auto* mesh = std::get_if<MeshInstance<Real>>(&p.solid);
+            world_->has_smooth_media |= p.medium && mesh != nullptr && mesh->smooth;
+            world_->has_transmission |= p.transmissive;
+            world_->has_media |= p.medium && (p.transmissive || max_component(m.absorption) > 0);
+            (std::holds_alternative<HalfSpace<Real>>(p.solid) ? unbounded : bounded).push_back(p);
+        }
+        world_->bounded = static_cast<std::uint32_t>(bounded.size());
+        bounded.insert(bounded.end(), unbounded.begin(), unbounded.end());
+    }
+
+    /// A patch that is a single point has no surface.
+    bool is_nothing(const Shape& shape) const {
+        const auto* ref = std::get_if<PatchRef>(&shape);
+        return ref != nullptr && is_single_point(scene_.patches[ref->patch].control);
+    }
+
+    /// Whether it matters to rays that they are inside a body of this material.
+    bool inside_matters(const Material& m) const {
+        return lets_light_through(scene_, m, settings_.textures) || m.ior != 1 ||
+               max_component(m.absorption) > 0;
+    }
+
+    using MeshTable = std::map<std::uint32_t, const TriangleMesh<Real>*>;
+
+    /// Compiles every mesh that an object shows, once.
+    MeshTable mesh_needs() {
+        std::map<std::uint32_t, MeshNeeds> needs;
+        for (const Object& object : scene_.objects) {
+            const auto* ref = std::get_if<MeshRef>(&object.shape);
+            if (ref == nullptr) continue;
+            MeshNeeds& n = needs[ref->mesh];
+            n.normals |= ref->smooth && settings_.smooth;
+            const Material& m = scene_.materials[object.material];
+            n.body |= inside_matters(m) && is_body(scene_, object.shape);
+        }
+        MeshTable table;
+        for (const auto& [index, n] : needs) {
+            const int exponent = exponent_for(extent_of(MeshRef{index, true}, scene_));
+            world_->meshes.push_back(
+                compile_mesh<Real>(scene_.meshes[index], exponent, n, threads_));
+            table[index] = world_->meshes.back().get();
+        }
+        return table;
+    }
+    const TriangleMesh<Real>* mesh_of(const Object& object, const MeshTable& table) const {
+        const auto* ref = std::get_if<MeshRef>(&object.shape);
+        return ref == nullptr ? nullptr : table.at(ref->mesh);
+    }
+
+    void add_tree() {
+        using std::sqrt;
+        std::vector<Bounds<Real>> boxes;
+        boxes.reserve(world_->bounded);
+        for (std::uint32_t i = 0; i < world_->bounded; ++i) {
+            const Primitive<Real>& p = world_->primitives[i];
+            const Bounds<Real> box = bounds_of(*world_, p);
+            // Squares of sizes must stay in the number type's range.
+            const bool vanishes = size_of(p.solid) < 16 * sqrt(std::numeric_limits<Real>::min());
+            if (vanishes || !is_finite(box.min) || !is_finite(box.max))
+                throw SceneError(scene_.objects[p.object].place, out_of_range);
+            boxes.push_back(box);
+        }
+        world_->bvh = build_bvh(boxes, 2, threads_);
+        // Primitives in leaf order lie together in memory when they are visited together.
+        std::vector<Primitive<Real>> ordered;
+        ordered.reserve(world_->primitives.size());
+        for (std::uint32_t& item : world_->bvh.order) {
+            ordered.push_back(world_->primitives[item]);
+            item = static_cast<std::uint32_t>(ordered.size() - 1);
+        }
+        ordered.insert(ordered.end(), world_->primitives.begin() + world_->bounded,
+                       world_->primitives.end());
+        world_->primitives = std::move(ordered);
+    }
+
+    void list_mediums() {
+        if (!world_->has_media) return;
+        struct Entry {
+            std::uint32_t primitive;
+            Bounds<Real> box;
+            Real size;
+        };
+        std::vector<Entry> entries;
+        constexpr Real infinity = std::numeric_limits<Real>::infinity();
+        for (std::uint32_t i = 0; i < world_->primitives.size(); ++i) {
+            if (!world_->primitives[i].medium) continue;
+            Bounds<Real> box = around(Vec3<Real>(0), Vec3<Real>(infinity));
+            Real size = infinity;
+            if (i < world_->bounded) {
+                box = widened(bounds_of(*world_, world_->primitives[i]));
+                const Vec3<Real> d = box.max - box.min;
+                size = d.x * d.y * d.z;
+            }
+            entries.push_back({i, box, size});
+        }
+        std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+            if (a.size != b.size) return a.size > b.size;
+            return world_->primitives[a.primitive].object < world_->primitives[b.primitive].object;
+        });
+        for (const Entry& e : entries) {
+            world_->primitives[e.primitive].medium_slot =
+                static_cast<std::uint32_t>(world_->mediums.size());
+            world_->mediums.push_back(e.primitive);
+            world_->medium_bounds.push_back(e.box);
+        }
+    }
+
+    const Scene& scene_;
+    const Settings& settings_;
+    const PovRayRules* by_povray_;
+    std::unique_ptr<World<Real>> world_;
+    int threads_ = 1;
+};
+
+/// Compiles for one number type. Throws SceneError at the place of what cannot be rendered: a
+/// coordinate or colour that leaves the type's range.
+///
+/// \param by_povray  null, or by whose rules the shapes are drawn
+template <class Real>
+std::unique_ptr<World<Real>> compile_world(const Scene& scene, const Settings& settings,
+                                           const PovRayRules* by_povray = nullptr) {
+    return Compiler<Real>(scene, settings, by_povray).run();
+}
+
+}  // namespace lancer

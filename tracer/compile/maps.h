@@ -1,0 +1,96 @@
+// Maps into the world: which kinds of them lose nothing, and the frame for all others.
+#pragma once
+
+#include <cmath>
+#include <initializer_list>
+
+#include "tracer/rays/frame.h"
+
+namespace lancer {
+
+template <class Real>
+bool is_identity(const Affine<Real>& map) {
+    return map == Affine<Real>{};
+}
+
+/// Whether the linear part is a power of two times the identity, which rounds nothing.
+template <class Real>
+bool is_scale_by_two(const Affine<Real>& map) {
+    using std::abs;
+    int exponent = 0;
+    const Real factor = map.rows[0].x;
+    if (abs(frexp(factor, &exponent)) != Real(0.5)) return false;
+    return map.rows[0] == Vec3<Real>(factor, 0, 0) && map.rows[1] == Vec3<Real>(0, factor, 0) &&
+           map.rows[2] == Vec3<Real>(0, 0, factor);
+}
+
+/// The factor of a similarity, or 0 for any other map: all columns of one length and at right
+/// angles, as far as rounding lets one see.
+template <class Real>
+Real similarity(const Affine<Real>& map) {
+    using std::abs;
+    using std::sqrt;
+    const auto column = [&](int i) {
+        return Vec3<Real>(map.rows[0][i], map.rows[1][i], map.rows[2][i]);
+    };
+    const Vec3<Real> x = column(0);
+    const Vec3<Real> y = column(1);
+    const Vec3<Real> z = column(2);
+    const Real xx = dot(x, x);
+    const Real bound = gamma<Real>(16) * xx;
+    const bool even = abs(dot(y, y) - xx) <= bound && abs(dot(z, z) - xx) <= bound;
+    const bool square =
+        abs(dot(x, y)) <= bound && abs(dot(y, z)) <= bound && abs(dot(z, x)) <= bound;
+    return even && square ? sqrt(xx) : Real(0);
+}
+
+/// The frame of an object that stands in the world by this map.
+template <class Real>
+Frame<Real> make_frame(const Affine<Real>& map) {
+    const auto row_sum = [](const Affine<Real>& m) {
+        Real most = 0;
+        for (const Vec3<Real>& row : m.rows) {
+            const Vec3<Real> a = absolute(row);
+            const Real sum = a.x + a.y + a.z;
+            if (sum > most) most = sum;
+        }
+        return most;
+    };
+    Frame<Real> frame;
+    frame.to_world = map;
+    Affine<Wide<Real>> linear = convert<Wide<Real>>(map);
+    linear.shift = Vec3<Wide<Real>>(0);
+    frame.linear_inverse = convert<Real>(inverse(linear));
+    frame.linear_inverse.shift = Vec3<Real>(0);
+    frame.norm = row_sum(map);
+    // A shift as written is exact; one that was composed with turns and scales is rounded.
+    Affine<Real> unshifted = map;
+    unshifted.shift = Vec3<Real>(0);
+    if (!is_scale_by_two(unshifted))
+        frame.transform_error = gamma<Real>(4) * max_component(absolute(map.shift));
+    frame.inverse_norm = row_sum(frame.linear_inverse);
+    return frame;
+}
+
+/// How far rounding may have moved these points: not at all where a shift alone is exact; else
+/// as far as the map's own rounded numbers and the 4 operations per component allow.
+template <class Real>
+Real moved_by(const Affine<Real>& map, std::initializer_list<Vec3<Real>> points) {
+    const bool only_shift = is_scale_by_two(map);
+    Real most = 0;
+    for (const Vec3<Real>& p : points) {
+        for (int i = 0; i < 3; ++i) {
+            using std::abs;
+            const Real lost =
+                only_shift
+                    ? abs(two_sum(map.shift[i], map.rows[0].x * p[i]).lo)
+                    : gamma<Real>(8) *
+                          (dot(absolute(map.rows[static_cast<std::size_t>(i)]), absolute(p)) +
+                           abs(map.shift[i]));
+            if (lost > most) most = lost;
+        }
+    }
+    return most;
+}
+
+}  // namespace lancer

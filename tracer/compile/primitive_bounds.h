@@ -1,0 +1,107 @@
+// World-space boxes of primitives.
+#pragma once
+
+#include "tracer/scene/world.h"
+
+namespace lancer {
+
+template <class Real>
+Bounds<Real> solid_bounds(const BallSolid<Real>& s) {
+    return around(s.center, Vec3<Real>(s.radius));
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const BoxSolid<Real>& s) {
+    return {s.min, s.max};
+}
+
+/// A disc of radius r across the unit axis w reaches r sqrt(1 - w_i^2) along axis i.
+template <class Real>
+Bounds<Real> solid_bounds(const FrustumSolid<Real>& s) {
+    using std::sqrt;
+    const auto disc = [&](const Vec3<Real>& center, Real radius) {
+        Vec3<Real> reach;
+        for (int i = 0; i < 3; ++i) {
+            const Real rest = (1 - s.axis[i]) * (1 + s.axis[i]) + gamma<Real>(4);
+            reach[i] = radius * sqrt(rest > 0 ? rest : Real(0));
+        }
+        return around(center, reach);
+    };
+    Bounds<Real> b = disc(s.small_end, s.radius);
+    b.extend(disc(s.large_end, s.radius + s.slope * s.height));
+    return b;
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const HalfSpace<Real>&) {
+    return around(Vec3<Real>(0), Vec3<Real>(std::numeric_limits<Real>::infinity()));
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const TriangleSheet<Real>& s) {
+    Bounds<Real> b;
+    b.extend(s.a);
+    b.extend(s.b);
+    b.extend(s.c);
+    return b;
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const MeshInstance<Real>& s) {
+    return s.mesh->bvh.bounds;
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const PatchSolid<Real>& s) {
+    return s.surface->bounds();
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const BicubicSolid<Real>& s) {
+    return s.surface->bounds();
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const FacetSolid<Real>& s) {
+    Bounds<Real> b;
+    for (const auto& home : s.surface->homes)
+        for (const Vec3<Real>& p : home.points) b.extend(p);
+    return b;
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const LatheSolid<Real>& s) {
+    const splines::Curve<Real>& c = s.surface->curve;
+    Bounds<Real> b{Vec3<Real>(-c.max.x, c.min.y, -c.max.x), Vec3<Real>(c.max.x, c.max.y, c.max.x)};
+    b.min = splines::scaled(b.min, c.exponent);
+    b.max = splines::scaled(b.max, c.exponent);
+    return b;
+}
+
+template <class Real>
+Bounds<Real> solid_bounds(const PrismSolid<Real>& s) {
+    const splines::Curve<Real>& c = s.surface->curve;
+    return {splines::scaled(Vec3<Real>(c.min.x, s.surface->bottom, c.min.y), c.exponent),
+            splines::scaled(Vec3<Real>(c.max.x, s.surface->top, c.max.y), c.exponent)};
+}
+
+/// The box around the mapped box: centre and half-axes mapped, absolute values summed.
+template <class Real>
+Bounds<Real> mapped(const Bounds<Real>& b, const Affine<Real>& map) {
+    const Vec3<Real> center = (b.min + b.max) / Real(2);
+    const Vec3<Real> half = (b.max - b.min) / Real(2);
+    Vec3<Real> reach;
+    for (int i = 0; i < 3; ++i)
+        reach[i] = dot(absolute(map.rows[static_cast<std::size_t>(i)]),
+                       half + gamma<Real>(8) * absolute(center));
+    return around(map_point(map, center), reach);
+}
+
+template <class Real>
+Bounds<Real> bounds_of(const World<Real>& world, const Primitive<Real>& p) {
+    const Bounds<Real> own =
+        widened(std::visit([](const auto& solid) { return solid_bounds(solid); }, p.solid));
+    return p.frame == none ? own : widened(mapped(own, world.frames[p.frame].to_world));
+}
+
+}  // namespace lancer

@@ -1,0 +1,82 @@
+#include "tracer/compile/scale.h"
+
+#include <algorithm>
+
+namespace lancer {
+namespace {
+
+double largest(const Vec3d& p) {
+    return max_component(absolute(p));
+}
+
+struct Extent {
+    const Scene& scene;
+
+    double operator()(const Sphere& s) const { return std::max(largest(s.center), s.radius); }
+    double operator()(const Box& b) const { return std::max(largest(b.min), largest(b.max)); }
+    double operator()(const Cylinder& c) const {
+        return std::max({largest(c.base), largest(c.top), c.radius});
+    }
+    double operator()(const Cone& c) const {
+        return std::max({largest(c.base), largest(c.top), c.base_radius, c.top_radius});
+    }
+    double operator()(const Plane& p) const { return std::abs(p.offset); }
+    double operator()(const Triangle& t) const {
+        return std::max({largest(t.points[0]), largest(t.points[1]), largest(t.points[2])});
+    }
+    double operator()(const MeshRef& m) const { return largest_of(scene.meshes[m.mesh]->vertices); }
+    double operator()(const PatchRef& p) const {
+        return largest_of(scene.patches[p.patch].control);
+    }
+    double operator()(const LatheRef& l) const { return largest_of(scene.lathes[l.lathe].profile); }
+    double operator()(const PrismRef& r) const {
+        const Prism& prism = scene.prisms[r.prism];
+        return std::max({largest_of(prism.outline), std::abs(prism.bottom), std::abs(prism.top)});
+    }
+
+    static double largest_of(const std::vector<Vec3d>& points) {
+        double most = 0;
+        for (const Vec3d& p : points) most = std::max(most, largest(p));
+        return most;
+    }
+    static double largest_of(const std::vector<Vec2d>& points) {
+        double most = 0;
+        for (const Vec2d& p : points) most = std::max({most, std::abs(p.x), std::abs(p.y)});
+        return most;
+    }
+};
+
+}  // namespace
+
+double extent_of(const Shape& shape, const Scene& scene) {
+    return std::visit(Extent{scene}, shape);
+}
+
+int scale_exponent(const Scene& scene) {
+    // The largest of exponents, not of values: what a transform makes of 1e300 need not be finite.
+    int most = -100000;
+    const auto take = [&](double value) {
+        if (value > 0) most = std::max(most, -exponent_for(value));
+    };
+    for (const Object& object : scene.objects) {
+        const double extent = extent_of(object.shape, scene);
+        const Affine<double>& m = scene.transforms[object.transform];
+        double growth = 0;
+        for (const Vec3d& row : m.rows) growth = std::max(growth, largest(row));
+        if (extent > 0 && growth > 0)
+            most = std::max(most, -exponent_for(extent) - exponent_for(growth));
+        take(largest(m.shift));
+    }
+    for (const Camera& camera : scene.cameras) {
+        take(largest(camera.position));
+        take(largest(camera.look_at));
+    }
+    for (const Light& light : scene.lights) {
+        if (const auto* point = std::get_if<PointLight>(&light.kind))
+            take(largest(point->position));
+        if (const auto* spot = std::get_if<SpotLight>(&light.kind)) take(largest(spot->position));
+    }
+    return most == -100000 ? 0 : -most;
+}
+
+}  // namespace lancer

@@ -1,0 +1,152 @@
+// Scene → the tracer's textures. Included by the files that instantiate it.
+#pragma once
+
+#include <cmath>
+
+#include "model/diagnostic.h"
+#include "tracer/compile/scale.h"
+#include "tracer/scene/world.h"
+
+namespace lancer {
+
+template <class Real>
+struct PatternMaker {
+    const Scene& scene;
+    const Affine<double>& to_object;
+
+    Pattern<Real> operator()(const Checker& c) const {
+        return CheckerPattern<Real>{convert<Real>(c.even), convert<Real>(c.odd)};
+    }
+    Pattern<Real> operator()(const Gradient& g) const {
+        GradientPattern<Real> pattern;
+        const Vec3<Wide<Real>> axis = convert<Wide<Real>>(g.axis / max_component(absolute(g.axis)));
+        pattern.axis = convert<Real>(normalize(axis));
+        for (const Gradient::Stop& stop : g.stops)
+            pattern.stops.push_back({static_cast<Real>(stop.at), convert<Real>(stop.color)});
+        return pattern;
+    }
+    Pattern<Real> operator()(const ImageTexture& t) const {
+        return ImagePattern<Real>{scene.images[t.image].pixels.get(), t.mapping, t.filter, t.wrap,
+                                  convert<Real>(inverse(convert<Wide<Real>>(to_object)))};
+    }
+};
+
+template <class Real>
+struct ChartMaker {
+    const Scene& scene;
+
+    Chart<Real> operator()(const Sphere& s) const {
+        return SphereChart<Real>{convert<Real>(s.center)};
+    }
+    Chart<Real> operator()(const Box& b) const {
+        return BoxChart<Real>{convert<Real>(b.min), convert<Real>(b.max - b.min)};
+    }
+    Chart<Real> operator()(const Cylinder& c) const {
+        return frustum(c.base, c.top, c.radius, c.radius);
+    }
+    Chart<Real> operator()(const Cone& c) const {
+        return frustum(c.base, c.top, c.base_radius, c.top_radius);
+    }
+    Chart<Real> operator()(const Plane&) const { return PlanarChart{}; }
+    Chart<Real> operator()(const Triangle& t) const {
+        if (t.attributes == none || !scene.triangle_attributes[t.attributes].uvs)
+            return PlanarChart{};
+        TriangleChart<Real> chart;
+        const auto& uvs = *scene.triangle_attributes[t.attributes].uvs;
+        std::transform(uvs.begin(), uvs.end(), chart.uvs.begin(), [](const Vec2d& uv) {
+            return Vec2<Real>(static_cast<Real>(uv.x), static_cast<Real>(uv.y));
+        });
+        return chart;
+    }
+    Chart<Real> operator()(const MeshRef& ref) const {
+        const Mesh* mesh = scene.meshes[ref.mesh].get();
+        if (mesh->uvs.empty()) return PlanarChart{};
+        return MeshChart{mesh};
+    }
+    Chart<Real> operator()(const PatchRef&) const { return ParameterChart{}; }
+    Chart<Real> operator()(const LatheRef&) const { return ParameterChart{}; }
+    Chart<Real> operator()(const PrismRef&) const { return ParameterChart{}; }
+
+    static Chart<Real> frustum(const Vec3d& base, const Vec3d& top, double base_radius,
+                               double top_radius) {
+        const Vec3d along = top - base;
+        const double longest = max_component(absolute(along));
+        const Vec3d y = normalize(along / longest);
+        // The world's x axis made perpendicular to y, or its z axis where x is too near to y.
+        const int aside = std::abs(y.x) > 0.9 ? 2 : 0;
+        Vec3d x = -y[aside] * y;
+        x[aside] += 1;
+        x = normalize(x);
+        FrustumChart<Real> chart;
+        chart.base = convert<Real>(base);
+        chart.x = convert<Real>(x);
+        chart.y = convert<Real>(y);
+        chart.z = convert<Real>(cross(x, y));
+        chart.height = static_cast<Real>(longest * length(along / longest));
+        chart.base_radius = static_cast<Real>(base_radius);
+        chart.top_radius = static_cast<Real>(top_radius);
+        chart.base_is_small = base_radius <= top_radius;
+        return chart;
+    }
+};
+
+/// Multiplies by 2^exponent.
+inline Affine<long double> power_of_two(int exponent) {
+    Affine<long double> map;
+    for (Vec3<long double>& row : map.rows) row *= std::ldexp(1.0L, exponent);
+    return map;
+}
+
+template <class Real>
+bool finite(const Affine<Real>& m) {
+    return std::all_of(m.rows.begin(), m.rows.end(),
+                       [](const auto& row) { return is_finite(row); }) &&
+           is_finite(m.shift);
+}
+
+/// Adds all textures of the scene to world.textures, and keeps their images alive.
+template <class Real>
+void compile_textures(const Scene& scene, World<Real>& world) {
+    for (const Texture& texture : scene.textures)
+        world.textures.push_back(
+            std::visit(PatternMaker<Real>{scene, texture.to_object}, texture.pattern));
+    for (const SceneImage& image : scene.images) world.images.push_back(image.pixels);
+}
+
+/// Where the object's texture lies on its primitive.
+///
+/// \param own  a primitive with a frame has its own coordinates scaled by 2^own
+template <class Real>
+TextureBinding<Real> bind_texture(const Scene& scene, const World<Real>& world,
+                                  const Object& object, const Primitive<Real>& primitive, int own) {
+    const Texture& texture = scene.textures[scene.materials[object.material].texture];
+    const Affine<double>& to_world = scene.transforms[object.transform];
+    const bool framed = primitive.frame != none;
+    Affine<long double> map = framed ? power_of_two(-own)
+                                     : compose(inverse(convert<long double>(to_world)),
+                                               power_of_two(-world.scale_exponent));
+    TextureBinding<Real> seat;
+    const auto* image = std::get_if<ImageTexture>(&texture.pattern);
+    if (image != nullptr && image->mapping == ImageTexture::Mapping::uv)
+        seat.chart = std::visit(ChartMaker<Real>{scene}, object.shape);
+    else
+        map = compose(inverse(convert<long double>(texture.to_object)), map);
+    seat.placement.map = convert<Real>(map);
+
+    // A shape that was baked into the world was rounded there at the size of what its place was
+    // summed from.
+    Vec3<long double> size = absolute(map.shift);
+    if (!framed && !(to_world == Affine<double>{})) {
+        const Affine<long double> wide = convert<long double>(to_world);
+        const Vec3<long double> extent(extent_of(object.shape, scene));
+        const Vec3<long double> baked = map_bound(wide, extent) + absolute(wide.shift);
+        size += map_bound(map, map_vector(power_of_two(world.scale_exponent), baked));
+    }
+    seat.placement.bound = convert<Real>(static_cast<long double>(gamma<Real>(8)) * size);
+    if (!finite(seat.placement.map) || !is_finite(seat.placement.bound))
+        throw SceneError(object.place,
+                         "this shape's texture leaves the range of the chosen precision");
+    return seat;
+}
+
+}  // namespace lancer

@@ -1,0 +1,95 @@
+// The hits that are one contact: what a ray meets first, all in one place.
+#pragma once
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+
+#include "tracer/rays/crossing.h"
+#include "tracer/scene/world.h"
+
+namespace lancer {
+
+template <class Real>
+struct Hit {
+    Real t;
+    Real error;
+    SurfaceId surface;
+    Real u = 0;  ///< weights of the second and third corner, triangles only
+    Real v = 0;
+};
+
+template <class Real>
+using Contact = boost::container::small_vector<Hit<Real>, 4>;
+
+/// Collects the hits nearest to the start that are one contact: those whose distances differ by
+/// less than their error bounds together. A hit's own bound counts up to seven times the nearest
+/// one's, so that what belongs to the contact follows from the nearest hit and not from the order
+/// of the search.
+template <class Real>
+class NearestContact {
+  public:
+    /// \param contact  empty; will have the nearest hit in front, for the caller to reorder
+    explicit NearestContact(Contact<Real>& contact) : contact_(contact) {}
+
+    Real limit() const { return limit_; }
+
+    /// Something will be added later, beyond which nothing belongs to the contact.
+    void expect(Real limit) {
+        if (limit < limit_) limit_ = limit;
+    }
+
+    [[gnu::always_inline]] void add(const Hit<Real>& hit) {
+        if (!(hit.t <= limit_)) return;
+        if (!contact_.empty()) return add_to_others(hit);
+        contact_.push_back(hit);
+        limit_ = hit.t + 8 * hit.error;
+    }
+
+    /// Nothing will be added any more: drops what is not in the contact after all.
+    void settle() {
+        if (contact_.size() < 2) return;
+        const Hit<Real> nearest = contact_.front();
+        const auto apart = [&](const Hit<Real>& h) {
+            const Real own = std::min(h.error, 7 * nearest.error);
+            return !(h.t - nearest.t <= nearest.error + own);
+        };
+        contact_.erase(std::remove_if(contact_.begin() + 1, contact_.end(), apart), contact_.end());
+    }
+
+  private:
+    [[gnu::noinline]] void add_to_others(const Hit<Real>& hit) {
+        Hit<Real>& nearest = contact_.front();
+        if (!before(hit, nearest)) {
+            contact_.push_back(hit);
+            return;
+        }
+        const Hit<Real> second = nearest;
+        nearest = hit;
+        limit_ = hit.t + 8 * hit.error;
+        // The others lie beyond the second, so they are out of reach when it is.
+        if (second.t > limit_)
+            contact_.resize(1);
+        else
+            contact_.push_back(second);
+    }
+    static bool before(const Hit<Real>& a, const Hit<Real>& b) {
+        if (a.t != b.t) return a.t < b.t;
+        return a.surface.primitive < b.surface.primitive;
+    }
+    Contact<Real>& contact_;  ///< others than the first may be too far by now
+    Real limit_ = std::numeric_limits<Real>::infinity();
+};
+
+/// Sorts a contact as it is crossed: entries before exits, each in the order of declaration.
+template <class Real>
+void order_contact(const World<Real>& world, Contact<Real>& contact) {
+    if (contact.size() < 2) return;
+    std::sort(contact.begin(), contact.end(), [&](const Hit<Real>& a, const Hit<Real>& b) {
+        if (a.surface.entering != b.surface.entering) return a.surface.entering;
+        const std::uint32_t object_a = world.primitives[a.surface.primitive].object;
+        const std::uint32_t object_b = world.primitives[b.surface.primitive].object;
+        if (object_a != object_b) return object_a < object_b;
+        return a.surface.face < b.surface.face;
+    });
+}
+}  // namespace lancer

@@ -1,0 +1,181 @@
+// What a ray meets next: the nearest contact, or the way to a light.
+#pragma once
+
+#include "tracer/intersect/contact.h"
+#include "tracer/intersect/intersection_filter.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/shear.h"
+
+namespace lancer {
+
+/// Reports the crossings of the ray with a solid in the solid's own space.
+template <class Real, class Last, class Report>
+void solid_crossings(const Solid<Real>& solid, const Ray<Real>& ray, IntersectionHints hints,
+                     const RayInterval<Real, Last>& interval, Report& report) {
+    std::visit(
+        [&](const auto& shape) {
+            using S = std::decay_t<decltype(shape)>;
+            if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
+                          std::is_same_v<S, PatchSolid<Real>> ||
+                          std::is_same_v<S, BicubicSolid<Real>> ||
+                          std::is_same_v<S, FacetSolid<Real>>) {
+                crossings(shape, ray, hints, interval, report);
+            } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
+                TriangleHit<Real> hit;
+                Shear<Real> shear = shear_of(ray);
+                shear.noise = edge_noise(ray, shape.reach());
+                if (intersect(shape, ray, shear, interval, hit))
+                    report(Crossing<Real>{hit.t, hit.error, 0, hit.entering}, hit.u, hit.v);
+            } else {
+                crossings(shape, ray, hints, interval,
+                          [&](const Crossing<Real>& c) { report(c, Real(0), Real(0)); });
+            }
+        },
+        solid);
+}
+
+/// Reports the crossings of the world ray with one primitive: report(Crossing, u, v), which returns
+/// true to stop.
+template <class Real, class Last, class Report>
+void primitive_crossings(const World<Real>& world, const Primitive<Real>& primitive,
+                         const Ray<Real>& world_ray, IntersectionHints hints,
+                         const RayInterval<Real, Last>& interval, Report&& report) {
+    if (primitive.frame == none)
+        solid_crossings(primitive.solid, world_ray, hints, interval, report);
+    else
+        solid_crossings(primitive.solid, to_local(world_ray, world.frames[primitive.frame]), hints,
+                        interval, report);
+}
+
+/// What is in no tree: primitives[bounded..].
+template <class Real>
+const HalfSpace<Real>& plane_of(const World<Real>& world, std::uint32_t primitive) {
+    return *std::get_if<HalfSpace<Real>>(&world.primitives[primitive].solid);
+}
+
+/// Visits every primitive of the tree that the ray may meet on the interval: visit(index) returns
+/// true to stop.
+template <class Real, class Last, class Visit>
+void candidates(const World<Real>& world, const Ray<Real>& ray,
+                const RayInterval<Real, Last>& interval, Visit&& visit) {
+    traverse(world.bvh, ray, interval.first, interval.last,
+             [&](std::uint32_t first, std::uint32_t count) {
+                 for (std::uint32_t i = first; i < first + count; ++i) {
+                     if (visit(i)) return true;
+                 }
+                 return false;
+             });
+}
+
+/// Which objects a query sees: all, or those that cast shadows.
+enum class Shadows { ignore, cast };
+
+/// The planes that may be the nearest.
+///
+/// Plain numbers tell which come first before any crossing is formed: of a room's walls three lie
+/// ahead, and most of what stands in it is met before them. A plane bounds how far the contact
+/// reaches where its crossing is sure to count.
+template <class Real>
+class NearestPlanes {
+  public:
+    /// Beyond it nothing belongs to the contact.
+    Real limit() const { return limit_; }
+
+    /// Looks at all planes. Those beyond the eighth that must wait are formed at once.
+    ///
+    /// \param sees    whether the query sees a primitive
+    /// \param report  report(primitive, crossing)
+    template <class Bodies, class Last, class Sees, class Report>
+    [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
+                                     const Start<Real>& start,
+                                     const IntersectionFilter<Real, Bodies>& accept,
+                                     const RayInterval<Real, Last>& interval, const Sees& sees,
+                                     const Report& report) {
+        const auto end = static_cast<std::uint32_t>(world.primitives.size());
+        for (std::uint32_t i = world.bounded; i < end; ++i) {
+            const PlaneGuess<Real> guess(plane_of(world, i), ray);
+            if (guess.low > limit_ || guess.high < interval.first || guess.slope == 0) continue;
+            const bool touched = accept.starts_on(i);
+            if (!sees(i) || (touched && start.fresh)) continue;  // a line meets a plane once
+            if (guess.high < limit_ && guess.low > start.t && !touched &&
+                accept.lets_pass(i, guess.slope < 0))
+                limit_ = guess.high;
+            if (count_ == waiting_.size()) form_now(world, ray, interval, report);
+            waiting_[count_++] = {i, guess.slope, guess.low};
+        }
+    }
+
+    /// Whether there are any to form().
+    bool wait() const { return count_ != 0; }
+
+    /// Forms the crossings that are still needed after what was found meanwhile.
+    template <class Last, class Report>
+    [[gnu::always_inline]] void form(const World<Real>& world, const Ray<Real>& ray,
+                                     const RayInterval<Real, Last>& interval,
+                                     const Report& report) {
+        for (std::size_t k = 0; k < count_; ++k) {
+            const Waiting& w = waiting_[k];
+            if (interval.ends_before(w.low)) continue;
+            const auto report_it = [&](const Crossing<Real>& c) { report(w.primitive, c); };
+            crossing(plane_of(world, w.primitive), ray, w.slope, interval, report_it);
+        }
+        count_ = 0;
+    }
+
+  private:
+    template <class Last, class Report>
+    [[gnu::noinline]] void form_now(const World<Real>& world, const Ray<Real>& ray,
+                                    const RayInterval<Real, Last>& interval, const Report& report) {
+        form(world, ray, interval, report);
+    }
+
+    struct Waiting {
+        std::uint32_t primitive;
+        Real slope;
+        Real low;
+    };
+    std::array<Waiting, 8> waiting_;
+    std::size_t count_ = 0;
+    Real limit_ = std::numeric_limits<Real>::infinity();
+};
+
+/// Everything that the ray meets first, the nearest hit in front. Empty: it leaves the scene.
+template <class Real, class Bodies>
+Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
+                              const Start<Real>& start, const Bodies& bodies,
+                              Shadows shadows = Shadows::ignore) {
+    using std::abs;
+    const IntersectionFilter<Real, Bodies> accept(world, start, bodies);
+    Contact<Real> contact;
+    NearestContact<Real> found(contact);
+    NearestPlanes<Real> planes;
+    const auto limit = [&] { return found.limit(); };
+    // A body that the ray is in may be left a rounding before the start.
+    const Real first = start.t - abs(start.t) * gamma<Real>(32);
+    const RayInterval<Real, decltype(limit)> interval{first, limit};
+    const auto sees = [&](std::uint32_t index) {
+        return index != start.left &&
+               (shadows == Shadows::ignore || world.primitives[index].casts_shadow);
+    };
+    const auto report_plane = [&](std::uint32_t index, const Crossing<Real>& c) {
+        if (accept(index, c)) found.add({accept.met_at(c), c.error, {index, c.face, c.entering}});
+    };
+    planes.find(world, ray, start, accept, interval, sees, report_plane);
+    found.expect(planes.limit());
+    candidates(world, ray, interval, [&](std::uint32_t index) {
+        if (!sees(index)) return false;
+        primitive_crossings(
+            world, world.primitives[index], ray, accept.hints(index), interval,
+            [&](const Crossing<Real>& c, Real u, Real v) {
+                if (accept(index, c))
+                    found.add({accept.met_at(c), c.error, {index, c.face, c.entering}, u, v});
+                return false;
+            });
+        return false;
+    });
+    if (planes.wait()) planes.form(world, ray, interval, report_plane);
+    found.settle();
+    return contact;
+}
+
+}  // namespace lancer

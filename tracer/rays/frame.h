@@ -1,0 +1,35 @@
+// An object's own space.
+#pragma once
+
+#include "model/affine.h"
+#include "tracer/rays/ray.h"
+
+namespace lancer {
+
+/// An object's own space, for shapes that a world-space primitive cannot express.
+template <class Real>
+struct Frame {
+    Affine<Real> to_world;
+    Affine<Real> linear_inverse;  ///< the linear part's inverse; `shift` is 0
+    Real norm;                    ///< largest absolute row sum of the linear part
+    Real inverse_norm;            ///< the same of the inverse
+    Real transform_error =
+        0;  ///< bound on how far rounding moved what stands in this space, in the world
+};
+
+/// The ray in the frame's space, with the same parameter t.
+template <class Real>
+Ray<Real> to_local(const Ray<Real>& ray, const Frame<Real>& frame) {
+    // Both parts of the start are kept: a power of two for a map, or none, then loses nothing.
+    const DoubleWordVector<Real> start = two_sum(ray.origin, -frame.to_world.shift);
+    const Vec3<Real> low = start.lo + ray.origin_lo;
+    // Three products and two sums a component, on rounded entries.
+    const Vec3<Real> size = absolute(start.hi);
+    const Real error = frame.inverse_norm * (ray.origin_error + frame.transform_error +
+                                             gamma<Real>(6) * max_component(size));
+    const DoubleWordVector<Real> local = normalized(map_vector(frame.linear_inverse, start.hi),
+                                                    map_vector(frame.linear_inverse, low));
+    return make_ray(local.hi, local.lo, map_vector(frame.linear_inverse, ray.dir), error);
+}
+
+}  // namespace lancer

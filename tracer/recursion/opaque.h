@@ -1,0 +1,101 @@
+// The recursion in worlds that no light passes through: a surface's own light, and a mirror's.
+// whitted.h has the whole, and is what this is the short form of.
+#pragma once
+
+#include "tracer/shading/lighting.h"
+
+namespace lancer {
+
+/// Beyond the limits a ray brings black, so it need not be cast.
+///
+/// \param weight  product along the way of the largest channel of each factor
+/// \param level   reflections and bends so far
+template <class Real>
+bool is_followed(const World<Real>& world, Real weight, int level) {
+    return level < world.settings.max_depth &&
+           weight >= static_cast<Real>(world.settings.min_contribution);
+}
+
+/// Fresnel's reflectance of an opaque surface, which no list of bodies tracks: it has its own index
+/// against that of what is around the ray.
+template <class Real>
+Real opaque_reflectance(const Surface<Real>& s, const Vec3<Real>& ray_dir, Real outside) {
+    const Real index = s.finish->ior / outside;
+    const bool out_of_body = s.primitive->body && !s.id.entering;
+    return fresnel_reflectance(-dot(s.normal, ray_dir), out_of_body ? 1 / index : index);
+}
+
+/// Traces rays through one world in which everything is opaque. One object per thread: it counts
+/// what it does.
+template <class Real>
+class OpaqueTracer {
+  public:
+    explicit OpaqueTracer(const World<Real>& world) : world_(world), lighting_(world) {}
+
+    const RayCounts& counts() const { return lighting_.counts; }
+
+    /// The colour that a camera ray brings: see Whitted. Where the camera stands matters to media
+    /// alone.
+    Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>&,
+                          ProbeRecord<Real>* record) {
+        ++lighting_.counts.primary;
+        lighting_.record = record;
+        const Real weight = 1;
+        return trace(ray, {at_camera}, weight, 0);
+    }
+
+  private:
+    Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, Real weight, int level) {
+        if (!is_followed(world_, weight, level)) return Vec3<Real>{};
+        const NoMedia nowhere;
+        Contact<Real> contact = nearest_contact(world_, ray, start, nowhere);
+        if (contact.empty()) {
+            lighting_.note(none);
+            return world_.background;
+        }
+        const Real t = contact.front().t;
+        order_contact(world_, contact);
+        SurfaceList touched;
+        for (const Hit<Real>& hit : contact) touched.push_back(hit.surface);
+        const Surface<Real> s = make_surface(world_, ray, declared_first(contact));
+        if (lighting_.record != nullptr) lighting_.record->remember(s, t);
+        Crossed<Real, NoMedia> c{ray, touched, nowhere, nowhere};
+        c.bent = ray.dir;
+        lighting_.note(event_of(s));
+        Vec3<Real> result = lighting_.local_color(s, c);
+        if (lighting_.record != nullptr) lighting_.record->settled = true;
+
+        const Vec3<Real> mirror = mirror_of(s, ray);
+        const Real mirror_weight = max_component(mirror);
+        if (mirror_weight > 0 && is_followed(world_, weight * mirror_weight, level + 1)) {
+            ++lighting_.counts.reflected;
+            const Ray<Real> reflected =
+                make_ray(s.position, s.position_lo, mirrored(ray.dir, s.normal), s.error);
+            result +=
+                mirror * trace(reflected, {0, std::move(touched), left_for_good(s, reflected.dir)},
+                               weight * mirror_weight, level + 1);
+        }
+        return result;
+    }
+
+    /// Of several surfaces in one place the one that the scene names first shows.
+    const Hit<Real>& declared_first(const Contact<Real>& contact) const {
+        const auto object = [&](const Hit<Real>& hit) {
+            return world_.primitives[hit.surface.primitive].object;
+        };
+        return *std::min_element(contact.begin(), contact.end(), [&](const auto& a, const auto& b) {
+            return object(a) < object(b);
+        });
+    }
+
+    /// The share that is mirrored.
+    Vec3<Real> mirror_of(const Surface<Real>& s, const Ray<Real>& ray) const {
+        if (!s.finish->fresnel) return s.finish->reflection;
+        return s.finish->reflection * opaque_reflectance(s, ray.dir, Real(1));
+    }
+
+    const World<Real>& world_;
+    Lighting<Real, NoMedia> lighting_;
+};
+
+}  // namespace lancer

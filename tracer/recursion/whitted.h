@@ -1,0 +1,186 @@
+// The recursion: what a ray brings back.
+// Whitted, "An Improved LightSample Model for Shaded Display", CACM 23(6) 1980; terms in
+// docs/shading.md.
+#pragma once
+
+#include "tracer/intersect/edge_hits.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/recursion/opaque.h"
+#include "tracer/shading/coincident_surfaces.h"
+
+namespace lancer {
+
+/// Straight passes (glass of the surrounding index, sheets) that one ray may make; they cost no
+/// depth.
+inline constexpr int max_straight_passes = 1000;
+
+/// Traces rays through one world of which some lets light through. One object per thread: it counts
+/// what it does.
+template <class Real>
+class Whitted {
+  public:
+    explicit Whitted(const World<Real>& world) : world_(world), lighting_(world) {}
+
+    const RayCounts& counts() const { return lighting_.counts; }
+
+    /// The colour that a camera ray brings. The camera is at parameter `at_camera` (<= 0) of the
+    /// ray; `from_camera` is the same line with its origin there. `record` may be null.
+    Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>& from_camera,
+                          ProbeRecord<Real>* record) {
+        ++lighting_.counts.primary;
+        lighting_.record = record;
+        const Real weight = 1;
+        return trace(ray, {at_camera}, origins_.around(world_, from_camera), weight, 0, {});
+    }
+
+  private:
+    using Step = Crossed<Real, Media>;
+
+    /// \param weight, level  see is_followed()
+    /// \param turn  the surface that turned the ray into this direction
+    Vec3<Real> trace(Ray<Real> ray, Start<Real> start, Media media, Real weight, int level,
+                     SurfaceId turn) {
+        RayCounts& counts = lighting_.counts;
+        Vec3<Real> result(0);
+        Vec3<Real> through(1);  // what the surfaces and media on the way let pass
+        int straight_passes{};
+        while (is_followed(world_, weight, level)) {
+            Contact<Real> contact = adjacent_face_hit(world_, ray, turn, media.bodies);
+            const bool at_once = !contact.empty();
+            if (!at_once) contact = nearest_contact(world_, ray, start, media.bodies);
+            turn = {};
+            if (contact.empty()) {
+                lighting_.note(none);
+                counts.media_lost += drop_bounded(world_, media.bodies);
+                return result + through * transmittance_to_infinity(media) * world_.background;
+            }
+            const Real t = contact.front().t;
+            if (world_.has_media) {
+                counts.media_lost += drop_lost(world_, media.bodies, ray, t);
+                through = through * transmittance_between(media, start.t, t);
+            }
+            order_contact(world_, contact);
+            SurfaceList touched;
+            if (at_once) touched = start.surfaces;
+            for (const Hit<Real>& hit : contact) touched.push_back(hit.surface);
+            const Media after = crossed(world_, media, contact);
+            Step c{ray, touched, media, after};
+            if (world_.has_media) c.ratio = index_of(world_, media) / index_of(world_, after);
+            drop_coincident(world_, contact, c.ratio);
+            const Surfaces<Real> surfaces = shown(world_, contact, ray);
+            Share share;
+            if (!surfaces.empty()) {
+                if (lighting_.record != nullptr) lighting_.record->remember(surfaces.front(), t);
+                bend(surfaces.front(), c);
+                share = shade(surfaces, c, through, weight, level, result);
+            }
+            if (share.ended) return result;
+            through = through * share.light;
+            weight *= share.weight;
+            if (c.ratio == 1) {
+                if (++straight_passes > max_straight_passes) return result;
+                media = after;
+                start = {t, std::move(touched), start.left, false};
+                continue;
+            }
+            if (!is_followed(world_, weight, level + 1)) return result;
+            ++(c.total ? counts.reflected : counts.transmitted);
+            const Surface<Real>& front = surfaces.front();
+            Media next = leaving(front, c, c.bent, !c.total);
+            ray = make_ray(front.position, front.position_lo, c.bent, front.error);
+            media = std::move(next);
+            start = {0, std::move(touched), left_for_good(front, ray.dir)};
+            turn = front.id;
+            ++level;
+        }
+        return result;
+    }
+
+    /// What is around a ray that leaves a surface. Where it is follows from the geometric normal;
+    /// what bends it next from whether it was refracted or mirrored, as in POV-Ray: the two part on
+    /// smooth meshes, see Media.
+    Media leaving(const Surface<Real>& s, const Step& c, const Vec3<Real>& direction,
+                  bool refracted) const {
+        Media media{c.towards(s, direction).bodies, {}};
+        if (world_.has_smooth_media) media.optical = refracted ? c.after.optical : c.before.optical;
+        return media;
+    }
+
+    void bend(const Surface<Real>& front, Step& c) const {
+        c.bent = c.ray.dir;
+        if (c.ratio == 1) return;
+        if (refracted(c.ray.dir, front.normal, c.ratio, c.bent)) return;
+        c.total = true;
+        c.bent = mirrored(c.ray.dir, front.normal);
+    }
+
+    /// What a contact leaves of the light from behind it.
+    struct Share {
+        bool ended = false;  ///< opaque
+        Vec3<Real> light{1};
+        Real weight = 1;
+    };
+
+    /// Adds what the contact itself sends, and what it mirrors, to `result`.
+    Share shade(const Surfaces<Real>& surfaces, const Step& c, const Vec3<Real>& through,
+                Real weight, int level, Vec3<Real>& result) {
+        Share share;
+        // One optical step in a contact, so one Fresnel term.
+        const auto weighted =
+            std::find_if(surfaces.begin(), surfaces.end(),
+                         [](const Surface<Real>& s) { return s.finish->fresnel; });
+        for (const Surface<Real>& s : surfaces) {
+            lighting_.note(event_of(s));
+            result += through * share.light * lighting_.local_color(s, c);
+            if (lighting_.record != nullptr) lighting_.record->settled = true;
+            const bool passes = max_component(s.transmittance) > 0;
+            if (passes && c.total) {
+                // The mirror ray takes the place of the reflected and of the transmitted one; what
+                // it brings is not tinted.
+                return {false, share.light, share.weight * max_component(s.transmittance)};
+            }
+            Vec3<Real> mirror = s.finish->reflection;
+            if (s.finish->fresnel)
+                mirror = &s == &*weighted ? mirror * fresnel(s, c) : Vec3<Real>{};
+            const Real mirror_weight = weight * share.weight * max_component(mirror);
+            if (max_component(mirror) > 0 && is_followed(world_, mirror_weight, level + 1)) {
+                ++lighting_.counts.reflected;
+                const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
+                const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
+                result += through * share.light * mirror *
+                          trace(ray, {0, c.touched, left_for_good(s, direction)},
+                                leaving(s, c, direction, false), mirror_weight, level + 1, s.id);
+            }
+            if (!passes) return {true, share.light, share.weight};
+            Vec3<Real> factor = s.transmittance;
+            if (s.finish->fresnel) factor = factor * (Vec3<Real>(1) - mirror);
+            share.light = share.light * factor;
+            share.weight *= max_component(factor);
+        }
+        return share;
+    }
+
+    /// Fresnel's reflectance with the indices before and after the surface. A sheet that light
+    /// passes has the same medium on both sides.
+    Real fresnel(const Surface<Real>& s, const Step& c) const {
+        const bool tracked = world_.has_media && s.primitive->medium;
+        if (tracked || max_component(s.transmittance) > 0)
+            return fresnel_reflectance(-dot(s.normal, c.ray.dir), 1 / c.ratio);
+        return opaque_reflectance(s, c.ray.dir, index_of(world_, c.before));
+    }
+
+    Vec3<Real> transmittance_between(const Media& media, Real from, Real to) const {
+        const Finish<Real>* medium = medium_of(world_, media.bodies);
+        if (medium == nullptr || !medium->absorbs) return Vec3<Real>(1);
+        return beer_lambert_transmittance(medium->absorption, to - from);
+    }
+    Vec3<Real> transmittance_to_infinity(const Media& media) const {
+        return transmittance_between(media, {}, std::numeric_limits<Real>::infinity());
+    }
+
+    const World<Real>& world_;
+    CameraMedia<Real> origins_;
+    Lighting<Real, Media> lighting_;
+};
+
+}  // namespace lancer

@@ -1,0 +1,132 @@
+// A compiled scene: what the tracer reads, once per ray and shape. Never changes after compile.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "model/scene.h"
+#include "tracer/bvh/bvh.h"
+#include "tracer/rays/frame.h"
+#include "tracer/shapes/bicubic.h"
+#include "tracer/shapes/box.h"
+#include "tracer/shapes/facets.h"
+#include "tracer/shapes/frustum.h"
+#include "tracer/shapes/lathe.h"
+#include "tracer/shapes/mesh.h"
+#include "tracer/shapes/patch.h"
+#include "tracer/shapes/plane.h"
+#include "tracer/shapes/prism.h"
+#include "tracer/shapes/sphere.h"
+#include "tracer/shapes/triangle.h"
+#include "tracer/textures/texture_binding.h"
+
+namespace lancer {
+
+/// The tracer's own closed list of shapes, derived from `Shape` by compile.
+template <class Real>
+using Solid =
+    std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
+                 TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>, BicubicSolid<Real>,
+                 FacetSolid<Real>, LatheSolid<Real>, PrismSolid<Real>>;
+
+/// ShapeCompiler that a straight line meets in one piece (a cylinder without caps: its inside).
+template <class Real>
+bool is_convex(const Solid<Real>& solid) {
+    return std::holds_alternative<BallSolid<Real>>(solid) ||
+           std::holds_alternative<BoxSolid<Real>>(solid) ||
+           std::holds_alternative<FrustumSolid<Real>>(solid) ||
+           std::holds_alternative<HalfSpace<Real>>(solid);
+}
+
+template <class Real>
+struct Primitive {
+    Solid<Real> solid;
+    std::uint32_t frame = none;            ///< index into World::frames; none: in world space
+    std::uint32_t texture_binding = none;  ///< index into World::texture_bindings
+    std::uint32_t object = 0;  ///< index into Scene::objects, which is the order of declaration
+    std::uint32_t material = 0;
+    std::uint32_t corner_normals =
+        none;                   ///< index into World::corner_normals; lone smooth triangles
+    bool body = false;          ///< has an inside
+    bool convex = false;        ///< so a straight line that has left it does not come back
+    bool transmissive = false;  ///< some light may pass through its surface
+    bool medium = false;  ///< a body whose inside matters to rays: transmissive, or of its own ior
+                          ///< or absorption
+    bool casts_shadow = true;
+    std::uint32_t medium_slot = none;  ///< index into World::mediums
+};
+
+/// A material in the tracer's number type, with what follows from it alone.
+template <class Real>
+struct Finish {
+    Vec3<Real> color;
+    std::uint32_t texture = none;
+    Real ambient, diffuse;
+    Vec3<Real> emission;
+    Real phong, shininess, blinn, inverse_roughness, metallic;
+    Vec3<Real> reflection;
+    bool fresnel = false;
+    bool reflects = false;
+    Real transmission, filter, ior;
+    Vec3<Real> absorption;
+    bool absorbs = false;
+    Real diffuse_transmission, phong_transmission;
+    bool lit_from_behind = false;
+
+    bool operator==(const Finish&) const = default;
+};
+
+template <class Real>
+struct LightSource {
+    enum class Kind { point, directional, spot };
+    Kind kind;
+    Vec3<Real> position;  ///< point, spot
+    Vec3<Real>
+        direction;  ///< directional: towards the light, unit; spot: the axis, away from it, unit
+    Vec3<Real> color;
+    bool shadows;  ///< false: a fill light
+    bool fades = false;
+    Real fade_distance = 1, fade_power = 2;
+    Real cos_radius = 1, cos_falloff = 0, tightness = 0;  ///< spot
+};
+
+template <class Real>
+struct World {
+    std::vector<Primitive<Real>> primitives;  ///< in leaf order of `bvh`, then the unbounded ones
+    std::uint32_t bounded = 0;                ///< primitives[bounded..] are in no tree
+    Bvh<Real> bvh;                            ///< over primitives[0..bounded)
+    std::vector<Frame<Real>> frames;
+    std::vector<Bounds<Real>>
+        medium_bounds;  ///< of `mediums`, in the same order; unbounded: infinite
+    std::vector<std::uint32_t>
+        mediums;  ///< primitives that are media: largest box first, then declaration
+    std::vector<std::unique_ptr<TriangleMesh<Real>>> meshes;
+    splines::BorderTolerances patch_borders;  ///< where patches of different tolerances may meet
+    std::vector<std::unique_ptr<PatchSurface<Real>>> patches;
+    std::vector<std::unique_ptr<BicubicSurface<Real>>> bicubics;
+    std::vector<std::unique_ptr<FacetSurface<Real>>> facets;  ///< patches by POV-Ray's rules
+    std::vector<std::unique_ptr<splines::Revolution<Real>>> revolutions;
+    std::vector<std::unique_ptr<splines::Extrusion<Real>>> extrusions;
+    std::vector<std::array<Vec3<Real>, 3>> corner_normals;  ///< unit, in the primitive's space
+    std::vector<Finish<Real>> finishes;
+    std::vector<Pattern<Real>> textures;                 ///< in the order of Scene::textures
+    std::vector<TextureBinding<Real>> texture_bindings;  ///< of the textured primitives
+    std::vector<std::shared_ptr<const Image>> images;    ///< that `textures` point to
+    std::vector<LightSource<Real>> lights;
+    Vec3<Real> background{0};
+    Vec3<Real> ambient{1};
+    Settings settings;
+
+    /// World coordinates are those of the scene times 2^scale_exponent, so that their extent is
+    /// near 1: scaling a scene by a power of two changes nothing after compile, bit for bit.
+    int scale_exponent = 0;
+    bool has_transmission = false;  ///< some primitive is transmissive
+    bool has_media = false;         ///< lists of bodies must be carried
+    bool has_smooth_media = false;  ///< some of them are meshes with interpolated normals
+    bool has_textures = false;
+};
+
+}  // namespace lancer

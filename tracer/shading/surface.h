@@ -1,0 +1,132 @@
+// Hits become surfaces: place, normals, colour and how much light passes.
+#pragma once
+
+#include "tracer/intersect/nearest_contact.h"
+#include "tracer/rays/crossing.h"
+#include "tracer/rays/frame.h"
+#include "tracer/rays/surface_point.h"
+#include "tracer/shading/texture_color.h"
+
+namespace lancer {
+
+/// A hit with all that shading asks of it, in world space.
+template <class Real>
+struct Surface {
+    SurfaceId id;
+    const Primitive<Real>* primitive = nullptr;
+    const Finish<Real>* finish = nullptr;
+    Vec3<Real> position;  ///< the point is position + position_lo
+    Vec3<Real> position_lo;
+    Real error;            ///< bound on its distance from the true surface
+    Vec3<Real> geometric;  ///< unit, outward
+    Vec3<Real> normal;     ///< shading normal, unit, turned towards the viewer
+    Vec3<Real> color;
+    Vec3<Real> transmittance;  ///< T: the share that passes, per channel
+    Real opacity;
+};
+
+/// The convex solid that a straight line in this direction leaves at the surface, never to meet it
+/// again; none where it goes in, or may come back.
+template <class Real>
+std::uint32_t left_for_good(const Surface<Real>& s, const Vec3<Real>& direction) {
+    return s.primitive->convex && dot(s.geometric, direction) > 0 ? s.id.primitive : none;
+}
+
+template <class Real>
+SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& primitive,
+                               const Ray<Real>& ray, const Hit<Real>& hit) {
+    return std::visit(
+        [&](const auto& solid) -> SurfacePoint<Real> {
+            using S = std::decay_t<decltype(solid)>;
+            if constexpr (std::is_same_v<S, MeshInstance<Real>>) {
+                SurfacePoint<Real> p =
+                    triangle_point(solid.mesh->triangle(hit.surface.face), hit.u, hit.v);
+                p.shading = shading_normal(solid, hit.surface.face, hit.u, hit.v, p.normal);
+                return p;
+            } else if constexpr (std::is_same_v<S, PatchSolid<Real>>) {
+                return patch_point(solid, hit.surface.face, hit.u, hit.v);
+            } else if constexpr (std::is_same_v<S, BicubicSolid<Real>>) {
+                return bicubic_point(solid, hit.surface.face, hit.u, hit.v);
+            } else if constexpr (std::is_same_v<S, FacetSolid<Real>>) {
+                return facet_point(solid, hit.surface.face, hit.u, hit.v);
+            } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
+                SurfacePoint<Real> p = triangle_point(solid, hit.u, hit.v);
+                if (primitive.corner_normals != none) {
+                    const auto& n = world.corner_normals[primitive.corner_normals];
+                    p.shading = (1 - hit.u - hit.v) * n[0] + hit.u * n[1] + hit.v * n[2];
+                }
+                return p;
+            } else {
+                return surface_point(solid, ray, hit.t, hit.surface.face);
+            }
+        },
+        primitive.solid);
+}
+
+/// Only what decides about passing light: for shadow rays, which need no normals.
+template <class Real>
+void set_color(const World<Real>& world, const SurfacePoint<Real>& local, Surface<Real>& s) {
+    const Finish<Real>& f = *s.finish;
+    s.color = f.color;
+    Real filter = f.filter;
+    Real transmission = f.transmission;
+    if (f.texture != none) {
+        const TextureColor<Real> texel =
+            texture_color(world, f.texture, *s.primitive, local, s.id.face);
+        s.color = texel.color;
+        if (texel.has_alpha) {
+            filter = 0;
+            transmission = 1 - texel.alpha;
+        }
+    }
+    s.transmittance = filter * s.color + Vec3<Real>(transmission);
+    s.opacity = 1 - filter - transmission;
+}
+
+template <class Real>
+void set_position(Surface<Real>& s, const DoubleWordVector<Real>& place, const Vec3<Real>& rest) {
+    s.position = place.hi;
+    s.position_lo = place.lo;
+    if (rest == Vec3<Real>{}) return;
+    const DoubleWordVector<Real> sum = normalized(place.hi, place.lo + rest);
+    s.position = sum.hi;
+    s.position_lo = sum.lo;
+}
+
+template <class Real>
+Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const Hit<Real>& hit) {
+    const Primitive<Real>& primitive = world.primitives[hit.surface.primitive];
+    Surface<Real> s;
+    s.id = hit.surface;
+    s.primitive = &primitive;
+    s.finish = &world.finishes[primitive.material];
+    SurfacePoint<Real> local;
+    if (primitive.frame == none) {
+        local = local_point(world, primitive, ray, hit);
+        const DoubleWordVector<Real> place = two_sum(local.anchor, local.offset);
+        set_position(s, place, local.rest);
+        s.error = local.error;
+        s.geometric = unit(local.normal);
+        s.normal = local.shading == local.normal ? s.geometric : unit(local.shading);
+    } else {
+        const Frame<Real>& frame = world.frames[primitive.frame];
+        local = local_point(world, primitive, to_local(ray, frame), hit);
+        // Both parts are mapped on their own, so that a large shift costs the small part nothing.
+        const Vec3<Real> anchor = map_vector(frame.to_world, local.anchor);
+        const Vec3<Real> offset = map_vector(frame.to_world, local.offset);
+        const DoubleWordVector<Real> inner = two_sum(anchor, offset);
+        const DoubleWordVector<Real> place = two_sum(frame.to_world.shift, inner.hi);
+        set_position(s, place, inner.lo);
+        const Real size = max_component(absolute(anchor)) + max_component(absolute(offset));
+        s.error = frame.norm * local.error + gamma<Real>(4) * size;
+        s.geometric = unit(map_transposed(frame.linear_inverse, local.normal));
+        s.normal = local.shading == local.normal
+                       ? s.geometric
+                       : unit(map_transposed(frame.linear_inverse, local.shading));
+    }
+    if (dot(s.normal, ray.dir) > 0) s.normal = -s.normal;
+    set_color(world, local, s);
+    return s;
+}
+
+}  // namespace lancer

@@ -1,0 +1,111 @@
+// Meshes: scaled, with normals where somebody interpolates, and with a tree.
+#pragma once
+
+#include <memory>
+
+#include "tracer/bvh/build.h"
+#include "tracer/numerics/power_of_two.h"
+#include "tracer/shapes/mesh.h"
+
+namespace lancer {
+
+struct MeshNeeds {
+    bool normals = false;  ///< some instance interpolates
+    bool body = false;     ///< rays go through its inside: it matters which way its faces look
+};
+
+/// Which faces of a closed mesh (model/bodies.h) look inside: one byte per face, 1 for those that
+/// do; empty when all look outside. Faces that turn against their neighbours are turned with them,
+/// and the whole so that its volume is positive: scripts and scanners care little about winding.
+std::vector<std::uint8_t> inward_faces(const Mesh& mesh);
+
+/// Averages of the adjoining faces' normals, weighted by area. A vertex without one (all its faces
+/// cancel) gets 0 and its faces then show their geometric normal.
+template <class Real>
+std::vector<Vec3<Real>> averaged_normals(const TriangleMesh<Real>& mesh) {
+    std::vector<Vec3<Real>> normals(mesh.vertices.size(), Vec3<Real>(0));
+    for (const Mesh::Corners& face : mesh.source->faces) {
+        const Vec3<Real>& a = mesh.vertices[face[0]];
+        const Vec3<Real> twice_area = cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
+        for (const std::uint32_t corner : face) normals[corner] += twice_area;
+    }
+    for (Vec3<Real>& n : normals) {
+        const Real size = max_component(absolute(n));
+        if (size > 0) n = normalize(n / size);
+    }
+    return normals;
+}
+
+template <class Real>
+std::vector<Vec3<Real>> given_normals(const Mesh& mesh) {
+    std::vector<Vec3<Real>> normals;
+    normals.reserve(mesh.normals.size());
+    for (const Vec3d& given : mesh.normals) {
+        const double size = max_component(absolute(given));
+        normals.push_back(size > 0 ? normalize(convert<Real>(given / size)) : Vec3<Real>(0));
+    }
+    return normals;
+}
+
+template <class Real>
+std::vector<Bounds<Real>> face_boxes(const TriangleMesh<Real>& mesh) {
+    std::vector<Bounds<Real>> boxes;
+    boxes.reserve(mesh.source->faces.size());
+    for (const Mesh::Corners& face : mesh.source->faces) {
+        Bounds<Real> box;
+        for (const std::uint32_t corner : face) box.extend(mesh.vertices[corner]);
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+/// Puts the faces of each leaf of the tree side by side, in the order of the nodes.
+template <class Real>
+void gather_leaves(TriangleMesh<Real>& mesh) {
+    std::size_t leaves = 0;
+    for (const BvhNode<Real>& node : mesh.bvh.nodes) {
+        for (const std::uint32_t count : node.count) leaves += count != 0;
+    }
+    mesh.leaves.reserve(leaves);
+    for (BvhNode<Real>& node : mesh.bvh.nodes) {
+        for (std::size_t c = 0; c < node.child.size(); ++c) {
+            if (node.count[c] == 0) continue;
+            TriangleLeaf<Real> leaf;
+            for (std::uint32_t i = 0; i < node.count[c]; ++i) {
+                const std::uint32_t face = mesh.bvh.order[node.child[c] + i];
+                leaf.set(i, face, mesh.triangle(face));
+            }
+            node.child[c] = static_cast<std::uint32_t>(mesh.leaves.size());
+            mesh.leaves.push_back(leaf);
+        }
+    }
+    mesh.bvh.order = {};
+}
+
+/// \param exponent  vertices are multiplied by 2^exponent
+template <class Real>
+std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mesh>& source,
+                                                 int exponent, const MeshNeeds& needs,
+                                                 int threads) {
+    auto mesh = std::make_unique<TriangleMesh<Real>>();
+    mesh->source = source;
+    const Mesh& from = *mesh->source;
+    mesh->vertices.reserve(from.vertices.size());
+    for (const Vec3d& v : from.vertices)
+        mesh->vertices.push_back(convert<Real>(scaled(v, exponent)));
+    if (needs.normals) {
+        if (from.normals.empty()) {
+            mesh->normals = averaged_normals(*mesh);
+            mesh->normal_faces = &from.faces;
+        } else {
+            mesh->normals = given_normals<Real>(from);
+            mesh->normal_faces = from.normal_faces.empty() ? &from.faces : &from.normal_faces;
+        }
+    }
+    if (needs.body) mesh->inward = inward_faces(from);
+    mesh->bvh = build_bvh(face_boxes(*mesh), TriangleLeaf<Real>::size, threads);
+    gather_leaves(*mesh);
+    return mesh;
+}
+
+}  // namespace lancer
