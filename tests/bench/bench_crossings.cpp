@@ -27,7 +27,7 @@ Scene random_view(std::mt19937& random) {
     const Affine<double> map =
         random() % 2 == 0
             ? Affine<double>{}
-            : compose(shift({3, 4, 5}), compose(turn(0, 360 * unit()), interval(1, 2, 0.5)));
+            : compose(shift({3, 4, 5}), compose(turn(0, 360 * unit()), stretched(1, 2, 0.5)));
     Stage s;
     s.scene.settings.max_depth = 30;
     s.scene.settings.threads = 0;

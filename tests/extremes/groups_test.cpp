@@ -11,7 +11,7 @@ TEST(Groups, TurnedAndMirrored) {
     const Image reference = picture(scene);
     const Affine<double> turned = compose(turn(1, 37), compose(turn(0, 23), turn(2, 71)));
     EXPECT_EQ(wrong(picture(under(scene, turned)), reference), 0);
-    const Image flipped = picture(under(scene, interval(-1, 1, 1)));
+    const Image flipped = picture(under(scene, stretched(-1, 1, 1)));
     int off = 0;
     for (int y = 0; y < 96; ++y) {
         for (int x = 0; x < 128; ++x) {
@@ -33,10 +33,10 @@ TEST(Groups, Ellipsoid) {
         s.add(shape, s.glass(1.5, {1, 0.8, 0.6}), map);
         return s.scene;
     };
-    const Image reference = picture(scene(Sphere{{0, 0.5, 0}, 0.5}, interval(3, 1, 1)));
+    const Image reference = picture(scene(Sphere{{0, 0.5, 0}, 0.5}, stretched(3, 1, 1)));
     for (int k = -9; k <= 9; k += 3) {
         const double f = power10(k);
-        EXPECT_EQ(wrong(picture(scene(Sphere{{0, 0.5 / f, 0}, 0.5 / f}, interval(3 * f, f, f))),
+        EXPECT_EQ(wrong(picture(scene(Sphere{{0, 0.5 / f, 0}, 0.5 / f}, stretched(3 * f, f, f))),
                         reference),
                   0)
             << k;

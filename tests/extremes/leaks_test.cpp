@@ -67,7 +67,7 @@ TEST(Leaks, VerticesAndEdgesOfMeshes) {
 TEST(Leaks, StretchedOctahedron) {
     for (int k = 0; k <= 12; ++k) {
         const double f = power10(k);
-        const Affine<double> map = compose(turn(1, 20), compose(turn(2, 33), interval(1, f, 1)));
+        const Affine<double> map = compose(turn(1, 20), compose(turn(2, 33), stretched(1, f, 1)));
         Mesh mesh;
         for (const Vec3d& v : {Vec3d(1, 0, 0), Vec3d(-1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, -1, 0),
                                Vec3d(0, 0, 1), Vec3d(0, 0, -1)})
@@ -129,7 +129,7 @@ TEST(Leaks, EveryEdgeOfAGlassMeshIsCrossed) {
         const Mesh ball = icosphere({0.1, -0.2, 0.3}, 1, 2);
         const Affine<double> map =
             angle == 0 ? Affine<double>{}
-                       : compose(shift({3, 4, 5}), compose(turn(0, angle), interval(1, 2, 0.5)));
+                       : compose(shift({3, 4, 5}), compose(turn(0, angle), stretched(1, 2, 0.5)));
         Stage s;
         s.scene.background = {0.25, 0.5, 0.75};
         // Index 1, so that nothing bends and every ray ends in the background; then glass.
@@ -167,7 +167,7 @@ TEST(Leaks, Needle) {
     // One triangle of height 10^-k, the camera squeezed alike: always the same picture.
     const auto scene = [](int k, double angle) {
         const double f = power10(-k);
-        const Affine<double> map = compose(turn(2, angle), interval(1, f, 1));
+        const Affine<double> map = compose(turn(2, angle), stretched(1, f, 1));
         Stage s = dark();
         s.scene.background = {1, 1, 1};
         s.add(Triangle{{map_point(map, {-1, -0.3, 0}), map_point(map, {1.1, -0.2, 0}),

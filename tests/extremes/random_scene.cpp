@@ -30,7 +30,7 @@ Scene random_scene(unsigned seed) {
         Affine<double> map;
         if (unit() < 0.5) {
             map = compose(turn(static_cast<int>(random() % 3), between(0, 360)),
-                          interval(between(0.5, 1.5), between(0.5, 1.5), between(0.5, 1.5)));
+                          stretched(between(0.5, 1.5), between(0.5, 1.5), between(0.5, 1.5)));
             if (unit() < 0.3) map = turn(static_cast<int>(random() % 3), between(0, 360));
             map = compose(shift({between(-1, 1), between(0, 1), between(-1, 1)}), map);
         }
@@ -162,8 +162,8 @@ class Lottery {
     Affine<double> transform() {
         Affine<double> map;
         if (chance(0.3)) return map;
-        if (chance(0.5)) map = interval(between(0.5, 1.5), between(0.5, 1.5), between(0.5, 1.5));
-        if (chance(0.2)) map = compose(interval(-1, 1, 1), map);
+        if (chance(0.5)) map = stretched(between(0.5, 1.5), between(0.5, 1.5), between(0.5, 1.5));
+        if (chance(0.2)) map = compose(stretched(-1, 1, 1), map);
         map = compose(turn(pick(3), between(0, 360)), map);
         map = compose(turn(pick(3), between(0, 360)), map);
         return compose(shift(place() * 0.5), map);

@@ -29,7 +29,7 @@ TEST(Random, BitIdenticalUnderAGroupThatScales) {
         const Image reference = picture(scene);
         for (const int k : {-100, -17, 33, 100}) {
             const double f = std::ldexp(1, k);
-            EXPECT_EQ(different(picture(under(scene, interval(f, f, f))), reference), 0)
+            EXPECT_EQ(different(picture(under(scene, stretched(f, f, f))), reference), 0)
                 << seed << " " << k;
         }
     }

@@ -79,7 +79,7 @@ Scene stretched_back(int k) {
     const double f = power10(k);
     Stage s = base_stage();
     for (Object& o : s.scene.objects) {
-        Affine<double> map = interval(1, f, 1);
+        Affine<double> map = stretched(1, f, 1);
         if (auto* box = std::get_if<Box>(&o.shape)) {
             box->min.y /= f;
             box->max.y /= f;
@@ -89,7 +89,7 @@ Scene stretched_back(int k) {
             s.scene.meshes[ref->mesh] = std::make_shared<Mesh>(mesh);
         } else {
             // What cannot be written unevenly: stretched twice, as by two groups.
-            map = compose(interval(1, 1 / f, 1), interval(1, f, 1));
+            map = compose(stretched(1, 1 / f, 1), stretched(1, f, 1));
         }
         o.transform = static_cast<std::uint32_t>(s.scene.transforms.size());
         s.scene.transforms.push_back(map);
@@ -219,7 +219,7 @@ std::vector<Row> rows_of_places() {
     row = {};
     row.name = "under a group, scaled by 10ᵏ";
     row.ks = {-90, -30, -12, -9, -6, -3, -2, 0, 2, 3, 6, 9, 12, 30, 90};
-    row.scene = [](int k) { return under(base(0), interval(power10(k), power10(k), power10(k))); };
+    row.scene = [](int k) { return under(base(0), stretched(power10(k), power10(k), power10(k))); };
     row.same_as = base;
     row.allowed = none_wrong(-9, 9);
     row.asked = "0, \\|k\\| ≤ 9";

@@ -89,7 +89,7 @@ Scene zoomed_on(bool loose, bool edge, int k) {
 /// The middle of a closed octahedron stretched 1 : 10^k, its edges across the picture.
 Scene octahedron(int k) {
     const Affine<double> map =
-        compose(turn(1, 20), compose(turn(2, 33), interval(1, power10(k), 1)));
+        compose(turn(1, 20), compose(turn(2, 33), stretched(1, power10(k), 1)));
     Mesh mesh;
     for (const Vec3d& v : {Vec3d(1, 0, 0), Vec3d(-1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, -1, 0),
                            Vec3d(0, 0, 1), Vec3d(0, 0, -1)})
@@ -105,7 +105,7 @@ Scene octahedron(int k) {
 
 /// One triangle of height 10^-k, its long sides filling the picture.
 Scene needle(double angle, int k) {
-    const Affine<double> map = compose(turn(2, angle), interval(1, power10(-k), 1));
+    const Affine<double> map = compose(turn(2, angle), stretched(1, power10(-k), 1));
     Stage s = dark();
     s.add(Triangle{{map_point(map, {-1, -0.3, 0}), map_point(map, {1.1, -0.2, 0}),
                     map_point(map, {0.05, 0.5, 0})}},

@@ -175,7 +175,7 @@ Scene half_size(Scene scene) {
     return scene;
 }
 
-Affine<double> interval(double x, double y, double z) {
+Affine<double> stretched(double x, double y, double z) {
     return {{Vec3d(x, 0, 0), Vec3d(0, y, 0), Vec3d(0, 0, z)}, Vec3d(0.0)};
 }
 Affine<double> shift(const Vec3d& by) {

@@ -42,7 +42,7 @@ Scene under(Scene scene, const Affine<double>& map);
 /// Half as wide and as tall, for judges that take their time.
 Scene half_size(Scene scene);
 
-Affine<double> interval(double x, double y, double z);
+Affine<double> stretched(double x, double y, double z);
 Affine<double> shift(const Vec3d& by);
 /// About `axis` (0, 1, 2), degrees.
 Affine<double> turn(int axis, double angle);

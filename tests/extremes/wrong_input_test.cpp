@@ -59,7 +59,7 @@ TEST(WrongInput, CoordinatesAtTheEndOfTheRange) {
         s.lamp({x, -x, x});
         picture_or_error(s.scene, "lamp far away");
         picture_or_error(scaled(base_stage().scene, x / 10), "scaled");
-        picture_or_error(under(base_stage().scene, interval(x, 1, 1)), "stretched");
+        picture_or_error(under(base_stage().scene, stretched(x, 1, 1)), "stretched");
     }
 }
 
@@ -91,8 +91,8 @@ TEST(WrongInput, NumbersNextToZero) {
             picture_or_error(s.scene, ("small " + std::to_string(i)).c_str());
         }
         picture_or_error(scaled(base_stage().scene, r), "scaled");
-        picture_or_error(under(base_stage().scene, interval(r, 1, 1)), "flattened");
-        picture_or_error(under(base_stage().scene, interval(r, r, r)), "scaled under a group");
+        picture_or_error(under(base_stage().scene, stretched(r, 1, 1)), "flattened");
+        picture_or_error(under(base_stage().scene, stretched(r, r, r)), "scaled under a group");
         Stage s;
         s.add(Sphere{{0, 0, 0}, r}, s.matt({1, 0, 0}));
         s.look({0, 0, 4 * r}, {0, 0, 0}, 40);

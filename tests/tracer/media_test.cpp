@@ -339,7 +339,7 @@ TEST(NoObject, IndexOneAndFullTransmissionChangeNoBit) {
         air.ambient = 0;
         air.diffuse = 0;
         air.transmission = 1;
-        const Affine<double> turned = in_turn(interval(1, 2, 0.7), turn_x(33), turn_y(12));
+        const Affine<double> turned = in_turn(stretched(1, 2, 0.7), turn_x(33), turn_y(12));
         show(scene, any_body(random), air);
         show(scene, any_body(random), air, turned);
         // Among the others: every order of declaration.

@@ -130,8 +130,8 @@ TEST(MeshEdge, NoCrossingIsLostAtEdgesAndCorners) {
         const Vec3d from(x, y, coordinate());
         const double index = std::vector<double>{1.25, 1.5, 2, 0.75}[below(4)];
         const Affine<double> map =
-            in_turn(turn_x(17.0 * static_cast<double>(below(4))), interval(1, below(2) ? 1 : -3, 1),
-                    shift(0.3, 0, below(2) ? 0 : 1e3));
+            in_turn(turn_x(17.0 * static_cast<double>(below(4))),
+                    stretched(1, below(2) ? 1 : -3, 1), shift(0.3, 0, below(2) ? 0 : 1e3));
         ASSERT_EQ(lost(mesh, map, index, below(2) == 0, from, at), 0U) << "round " << round;
     }
 }

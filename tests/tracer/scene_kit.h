@@ -36,7 +36,7 @@ inline Affine<double> shift(double x, double y, double z) {
     map.shift = {x, y, z};
     return map;
 }
-inline Affine<double> interval(double x, double y, double z) {
+inline Affine<double> stretched(double x, double y, double z) {
     return {{Vec3d(x, 0, 0), Vec3d(0, y, 0), Vec3d(0, 0, z)}, Vec3d(0.0)};
 }
 inline Affine<double> turn_x(double degrees) {

@@ -71,7 +71,7 @@ TEST(Uv, OfABoxMovesWithTheBox) {
     // A quarter turn about y takes +z to +x, and such a box is baked into the world.
     for (const double angle : {90.0, 30.0}) {
         Scene scene = with_image(Mapping::uv);
-        const Affine<double> move = in_turn(interval(1, 2, 1), turn_y(angle), shift(3, -1, 2));
+        const Affine<double> move = in_turn(stretched(1, 2, 1), turn_y(angle), shift(3, -1, 2));
         show(scene, Box{{0, 0, 0}, {1, 1, 1}}, 1, move);
         const Vec3d at = map_point(move, Vec3d(0.25, 0.75, 1));
         const Vec3d from = at + 5.0 * map_vector(move, Vec3d(0, 0, 1));
@@ -81,7 +81,7 @@ TEST(Uv, OfABoxMovesWithTheBox) {
 
 TEST(Uv, OfAMirroredBoxIsMirroredToo) {
     Scene scene = with_image(Mapping::uv);
-    show(scene, Box{{0, 0, 0}, {1, 1, 1}}, 1, interval(-1, 1, 1));
+    show(scene, Box{{0, 0, 0}, {1, 1, 1}}, 1, stretched(-1, 1, 1));
     expect_uv(scene, {-0.25, 0.75, 9}, {-0.25, 0.75, 1}, 0.25, 0.75);
     expect_uv(scene, {9, 0.75, 0.25}, {0, 0.75, 0.25}, 0.25, 0.75);  // its face -x
 }
@@ -123,7 +123,7 @@ TEST(Uv, OfAConeKnowsItsBaseWhicheverEndIsLarger) {
 TEST(Uv, OfATransformedConeIsThatOfItsOwnSpace) {
     for (const Vec3d& s : {Vec3d(2, 2, 2), Vec3d(1, 3, 2)}) {  // baked, and in a frame of its own
         Scene scene = with_image(Mapping::uv);
-        const Affine<double> move = in_turn(interval(s.x, s.y, s.z), turn_z(40), shift(1, 2, 3));
+        const Affine<double> move = in_turn(stretched(s.x, s.y, s.z), turn_z(40), shift(1, 2, 3));
         show(scene, Cone{{0, 0, 0}, {0, 4, 0}, 2, 1, true}, 1, move);
         expect_uv(scene, map_point(move, Vec3d(0, 1, 9)), map_point(move, Vec3d(0, 1, 0)), 0.25,
                   0.25);
@@ -163,7 +163,7 @@ TEST(Uv, OfAMeshFollowsItsOwnIndices) {
     mesh.uv_faces = {{1, 2, 3}, {1, 3, 4}};
     Scene scene = with_image(Mapping::uv);
     scene.meshes.push_back(std::make_shared<Mesh>(mesh));
-    show(scene, MeshRef{0, false}, 1, in_turn(interval(0.5, 1, 1), shift(10, 0, 0)));
+    show(scene, MeshRef{0, false}, 1, in_turn(stretched(0.5, 1, 1), shift(10, 0, 0)));
     expect_uv(scene, {11.5, 1, 9}, {11.5, 1, 0}, 0.1 + 0.8 * 0.75, 0.1 + 0.8 * 0.25);
     expect_uv(scene, {10.5, 3, 9}, {10.5, 3, 0}, 0.1 + 0.8 * 0.25, 0.1 + 0.8 * 0.75);
 }
@@ -183,16 +183,16 @@ TEST(Uv, OfAMeshWithoutUvsAndOfItsFacesWithoutIsPlanar) {
 }
 
 TEST(Uv, TheTexturesOwnTransformsAreUndoneOnThem) {
-    Scene scene = with_image(Mapping::uv, in_turn(interval(0.5, 0.25, 1), shift(0.1, 0, 0)));
+    Scene scene = with_image(Mapping::uv, in_turn(stretched(0.5, 0.25, 1), shift(0.1, 0, 0)));
     show(scene, Box{{0, 0, 0}, {1, 1, 1}}, 1);
     expect_uv(scene, {0.3, 0.1, 9}, {0.3, 0.1, 1}, (0.3 - 0.1) / 0.5, 0.1 / 0.25);
 }
 
 TEST(TextureSpace, PlanarSphericalAndCylindricalFollowTheObjectAndItsGroup) {
     const Affine<double> group = in_turn(turn_y(35), shift(4, 1, -2));
-    const Affine<double> own = in_turn(interval(2, 2, 2), turn_x(20));
+    const Affine<double> own = in_turn(stretched(2, 2, 2), turn_x(20));
     const Affine<double> move = in_turn(own, group);  // as the evaluator composes them
-    const Affine<double> texture = in_turn(turn_z(15), interval(3, 3, 3), shift(0.2, 0.1, 0.3));
+    const Affine<double> texture = in_turn(turn_z(15), stretched(3, 3, 3), shift(0.2, 0.1, 0.3));
     const Vec3d on = normalize(Vec3d(0.3, 0.4, 0.5));  // on the unit sphere
     const Vec3d p = map_point(inverse(texture), on);
     const double around = std::atan2(p.z, p.x) / tau;
@@ -215,7 +215,7 @@ TEST(TextureSpace, CentreAndCornersOfAShapeDoNotMoveIt) {
 
 TEST(TextureSpace, AScaledSceneShowsTheSameTexture) {
     for (const double k : {1e-30, 1.0, 1e30}) {
-        Scene scene = with_image(Mapping::planar, interval(k, k, k));
+        Scene scene = with_image(Mapping::planar, stretched(k, k, k));
         show(scene, Sphere{{0, 0, 0}, k}, 1);
         expect_uv(scene, Vec3d(0.3, 0.6, 9) * k, Vec3d(0.3, 0.6, 0) * k, 0.3, 0.6);
     }
@@ -243,7 +243,7 @@ TEST(TextureSpace, AFloorOnABorderOfTheCheckerDoesNotSpeckle) {
                 // as nearly as the precision rounds.
                 const double edge = precision == Precision::extended ? 0.125 : 0.1;
                 const Affine<double> cubes =
-                    in_turn(shift(-0.5, 0, -0.5), interval(1e5, edge, 1e5));
+                    in_turn(shift(-0.5, 0, -0.5), stretched(1e5, edge, 1e5));
                 Scene scene = with_texture(Checker{{1, 0, 0}, {0, 1, 0}}, cubes);
                 scene.settings.precision = precision;
                 const Affine<double> tilt = in_turn(turn_z(angle), shift(0.7, 3.1, 0.2));
