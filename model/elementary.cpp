@@ -1,5 +1,8 @@
 #include "model/elementary.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 #include <sleef.h>
 
 #include <cmath>
@@ -37,7 +40,22 @@ LANCER_ELEMENTARY_1(exp, u10purec)
 LANCER_ELEMENTARY_1(log, u10purec)
 LANCER_ELEMENTARY_1(cbrt, u10purec)
 LANCER_ELEMENTARY_2(atan2, u10purec)
-LANCER_ELEMENTARY_2(pow, u10purec)
+
+float pow(float x, float y) {
+    return Sleef_cinz_powf1_u10purec(x, y);
+}
+/// Through the function for two numbers at once, which gives the same ones in two thirds of the
+/// time.
+double pow(double x, double y) {
+#ifdef __SSE2__
+    return _mm_cvtsd_f64(Sleef_cinz_powd2_u10sse2(_mm_set1_pd(x), _mm_set1_pd(y)));
+#else
+    return Sleef_cinz_powd1_u10purec(x, y);
+#endif
+}
+long double pow(long double x, long double y) {
+    return std::pow(x, y);
+}
 
 #undef LANCER_ELEMENTARY_1
 #undef LANCER_ELEMENTARY_2
