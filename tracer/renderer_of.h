@@ -37,23 +37,31 @@ class RendererOf final : public Renderer {
         const int down = (crop.height + tile - 1) / tile;
         const CameraFrame<Real> camera_frame = camera_frame_of(view);
         std::mutex merging;
+        constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::max();
+        std::int64_t overflow = nowhere;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
             with_tracer([&](auto& tracer) {
+                std::int64_t own_overflow = nowhere;
                 for (int index = 0; next_task(index);) {
                     const int left = index % across * tile;
                     const int top = index / across * tile;
                     for (int y = top; y < std::min(top + tile, crop.height); ++y) {
-                        for (int x = left; x < std::min(left + tile, crop.width); ++x)
+                        for (int x = left; x < std::min(left + tile, crop.width); ++x) {
                             fill(image.pixel(x, y), tracer, camera_frame, view, crop.x + x,
                                  crop.y + y);
+                            if (overflows(image.pixel(x, y)))
+                                own_overflow =
+                                    std::min(own_overflow, std::int64_t(y) * crop.width + x);
+                        }
                     }
                 }
                 const std::lock_guard lock(merging);
                 counts += tracer.counts();
+                overflow = std::min(overflow, own_overflow);
             });
         });
-        refuse_overflow(image);
+        if (overflow != nowhere) refuse_overflow(overflow, crop.width);
         return image;
     }
 
@@ -120,18 +128,15 @@ class RendererOf final : public Renderer {
     }
 
     /// Light that no number holds becomes infinite, and with a factor of 0 no number at all.
-    static void refuse_overflow(const Image& image) {
-        for (int y = 0; y < image.height; ++y) {
-            for (int x = 0; x < image.width; ++x) {
-                const double* pixel = image.pixel(x, y);
-                if (std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]))
-                    continue;
-                throw SceneError({},
-                                 "lights and colours are so bright that their product leaves "
-                                 "the range of the chosen precision, first at pixel " +
-                                     std::to_string(x) + ", " + std::to_string(y));
-            }
-        }
+    static bool overflows(const double* pixel) {
+        return !(std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]));
+    }
+    /// \param first  the first such pixel, row by row
+    static void refuse_overflow(std::int64_t first, int width) {
+        throw SceneError({},
+                         "lights and colours are so bright that their product leaves the range of "
+                         "the chosen precision, first at pixel " +
+                             std::to_string(first % width) + ", " + std::to_string(first / width));
     }
 
     CameraFrame<Real> camera_frame_of(const View& view) const {

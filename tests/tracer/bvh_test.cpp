@@ -1,4 +1,4 @@
-#include "tracer/bvh/bvh.h"
+#include "tracer/bvh/traverse.h"
 
 #include <gtest/gtest.h>
 

@@ -113,6 +113,17 @@ struct Builder {
 
     static constexpr std::size_t width = bvh_width<Real>;
 
+    /// The largest number of the boxes' type that is not above x.
+    static BoxNumber<Real> at_most_as_large(Real x) {
+        using Number = BoxNumber<Real>;
+        [[maybe_unused]] constexpr Number infinity = std::numeric_limits<Number>::infinity();
+        const auto rounded = static_cast<Number>(x);
+        if constexpr (std::is_same_v<Number, Real>)
+            return rounded;
+        else
+            return static_cast<Real>(rounded) > x ? std::nextafter(rounded, -infinity) : rounded;
+    }
+
     /// Appends the node over `r` and all below it; returns its index.
     std::uint32_t build(const Range& r, std::vector<BvhNode<Real>>& nodes, int threads) const {
         // Two-way splits of the largest parts until there are enough.
@@ -157,8 +168,8 @@ struct Builder {
             }
             BvhNode<Real>& node = nodes[index];
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                node.min[axis][c] = box.min[static_cast<int>(axis)];
-                node.max[axis][c] = box.max[static_cast<int>(axis)];
+                node.min[axis][c] = at_most_as_large(box.min[static_cast<int>(axis)]);
+                node.max[axis][c] = -at_most_as_large(-box.max[static_cast<int>(axis)]);
             }
             node.child[c] = child;
             node.count[c] = count;

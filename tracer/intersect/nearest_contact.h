@@ -1,6 +1,7 @@
 // What a ray meets next: the nearest contact, or the way to a light.
 #pragma once
 
+#include "tracer/bvh/traverse.h"
 #include "tracer/intersect/contact.h"
 #include "tracer/intersect/intersection_filter.h"
 #include "tracer/rays/crossing.h"

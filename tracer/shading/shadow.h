@@ -5,6 +5,7 @@
 #include "tracer/rays/crossing.h"
 #include "tracer/shading/coincident_surfaces.h"
 #include "tracer/shading/optics.h"
+#include "tracer/shading/see_through.h"
 #include "tracer/shading/surface.h"
 
 namespace lancer {
@@ -18,12 +19,24 @@ struct OcclusionQuery {
     const World<Real>& world;
     const IntersectionFilter<Real, Bodies>& accept;
     const Start<Real>& start;
-    Real distance;            ///< to the light
+    Real distance;  ///< to the light
+    /// Gets the crossings with what only filters; null: that there are some is enough.
+    SeeThrough<Real>* see_through = nullptr;
     std::uint32_t at = none;  ///< the primitive that is asked about
     Occlusion occlusion = Occlusion::clear;
 
     static constexpr bool light_may_pass = !std::is_same_v<Bodies, NoMedia>;
     bool only_filters() const { return light_may_pass && world.primitives[at].transmissive; }
+    bool looks_through() const { return light_may_pass && see_through != nullptr; }
+    bool collects() const { return looks_through() && only_filters(); }
+
+    /// Of a primitive that only filters both ways are asked about: what the ray enters first it may
+    /// leave later.
+    IntersectionHints hints() const {
+        IntersectionHints hints = accept.hints(at);
+        if (collects()) hints.one_way = false;
+        return hints;
+    }
 };
 
 /// The interval to the light, for shapes: RayInterval.
@@ -31,11 +44,13 @@ template <class Real, class Bodies>
 struct LightInterval {
     OcclusionQuery<Real, Bodies>& query;
 
-    Real operator()() const { return query.distance; }
+    Real operator()() const {
+        return query.looks_through() ? query.see_through->reach() : query.distance;
+    }
     /// A crossing farther ahead than its error counts, unless the ray starts on the primitive.
     bool accepts_estimate(Real low, Real high) const {
         if (!(low > query.start.t && high < query.distance)) return false;
-        if (query.accept.starts_on(query.at)) return false;
+        if (query.collects() || query.accept.starts_on(query.at)) return false;
         query.occlusion = query.only_filters() ? Occlusion::filtered : Occlusion::blocked;
         return true;
     }
@@ -49,29 +64,32 @@ template <class Real, class Bodies, class Last, class Sees, class Report>
                                                      const IntersectionFilter<Real, Bodies>& accept,
                                                      const RayInterval<Real, Last>& interval,
                                                      const Sees& is_seen, const Report& report) {
+    const auto& query = interval.last.query;
     const auto end = static_cast<std::uint32_t>(world.primitives.size());
     for (std::uint32_t i = world.bounded; i < end; ++i) {
         const PlaneGuess<Real> guess(plane_of(world, i), ray);
         if (interval.ends_before(guess.low) || guess.high < interval.first || !is_seen(i)) continue;
         if (!accept.lets_pass(i, guess.slope < 0) ||
             !interval.accepts_estimate(guess.low, guess.high))
-            crossings(plane_of(world, i), ray, accept.hints(i), interval, report);
-        if (interval.last.query.occlusion == Occlusion::blocked) return;
+            crossings(plane_of(world, i), ray, query.hints(), interval, report);
+        if (query.occlusion == Occlusion::blocked) return;
     }
 }
 
-/// Looks once along the way to the light: an opaque surface ends it; whether something transmissive
-/// lies there is only noted.
+/// Looks once along the way to the light: an opaque surface ends it; that something transmissive
+/// lies there is noted, and its crossings are collected where somebody wants them.
 template <class Real, class Bodies>
 Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                          const Start<Real>& start, const Bodies& bodies) {
+                          const Start<Real>& start, const Bodies& bodies,
+                          SeeThrough<Real>* see_through = nullptr) {
     const IntersectionFilter<Real, Bodies> accept(world, start, bodies);
-    OcclusionQuery<Real, Bodies> query{world, accept, start, distance};
+    OcclusionQuery<Real, Bodies> query{world, accept, start, distance, see_through};
     const LightInterval<Real, Bodies> limit{query};
     const RayInterval<Real, LightInterval<Real, Bodies>> interval{Real(0), limit};
     const auto report = [&](const Crossing<Real>& c) {
         if (query.only_filters()) {
             if (c.t >= -c.error && c.t < distance) query.occlusion = Occlusion::filtered;
+            if (query.collects()) see_through->add(query.at, c, accept.starts_on(query.at));
         } else if (accept(query.at, c) && c.t < distance - c.error) {
             query.occlusion = Occlusion::blocked;
         }
@@ -85,31 +103,26 @@ Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real d
     if (query.occlusion == Occlusion::blocked) return Occlusion::blocked;
     candidates(world, ray, interval, [&](std::uint32_t index) {
         if (!is_seen(index)) return false;
-        primitive_crossings(world, world.primitives[index], ray, accept.hints(index), interval,
+        primitive_crossings(world, world.primitives[index], ray, query.hints(), interval,
                             [&](const Crossing<Real>& c, Real, Real) { return report(c); });
         return query.occlusion == Occlusion::blocked;
     });
     return query.occlusion;
 }
 
-/// The share of light that comes straight to the start of `ray` from `distance` away: the product
-/// of T over every surface crossed and of the absorption on the way. No refraction, no limit on the
-/// number of surfaces.
-///
-/// \param media  around the first interval of the way
+/// The share of light that is left on a way on which only filters lie, from contact to contact: the
+/// product of T over every surface crossed and of the absorption in between.
 template <class Real>
-Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                         Start<Real> start, Media media) {
+Vec3<Real> light_by_contacts(const World<Real>& world, const Ray<Real>& ray, Real distance,
+                             Start<Real> start, Media media, bool filtered) {
     MediaList& bodies = media.bodies;
-    const Occlusion occlusion = query_occlusion(world, ray, distance, start, bodies);
-    if (occlusion == Occlusion::blocked) return Vec3<Real>(0);
     // What casts no shadow does not weaken light inside it either.
     const auto casts_none = [&](std::uint32_t body) {
         return !world.primitives[body].casts_shadow;
     };
     bodies.erase(std::remove_if(bodies.begin(), bodies.end(), casts_none), bodies.end());
     Vec3<Real> light(1);
-    while (occlusion == Occlusion::filtered) {
+    while (filtered) {
         Contact<Real> contact = nearest_contact(world, ray, start, bodies, Shadows::cast);
         if (contact.empty()) break;
         const Hit<Real> nearest = contact.front();
@@ -130,6 +143,23 @@ Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real di
     if (const Finish<Real>* medium = medium_of(world, bodies); medium && medium->absorbs)
         light = light * beer_lambert_transmittance(medium->absorption, distance - start.t);
     return light;
+}
+
+/// The share of light that comes straight to the start of `ray` from `distance` away. No
+/// refraction, no limit on the number of surfaces.
+///
+/// \param media  around the first part of the way
+template <class Real>
+Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
+                         const Start<Real>& start, const Media& media) {
+    SeeThrough<Real> see_through(world, distance);
+    const Occlusion occlusion =
+        query_occlusion(world, ray, distance, start, media.bodies, &see_through);
+    if (occlusion == Occlusion::blocked) return Vec3<Real>(0);
+    const bool filtered = occlusion == Occlusion::filtered;
+    if (filtered && see_through.tells_all(start, media.bodies))
+        return see_through.transmittance(media.bodies);
+    return light_by_contacts(world, ray, distance, start, media, filtered);
 }
 
 /// The same where no light passes through anything.

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "model/shapes.h"
-#include "tracer/bvh/bvh.h"
+#include "tracer/bvh/traverse.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/shear.h"
 #include "tracer/rays/surface_point.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "tracer/bvh/bvh.h"
+#include "tracer/bvh/traverse.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/shear.h"
 #include "tracer/shapes/triangle_leaf.h"

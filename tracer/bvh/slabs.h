@@ -1,0 +1,153 @@
+// A ray as the tests of boxes see it, and the test: which boxes of a node it may meet.
+//
+// Where boxes are coarser than the ray's numbers (float for double), the ray's start is first moved
+// to where it enters the box of the whole tree, in the ray's own numbers, so that what is rounded
+// to the coarser type is of the tree's size, however far away the ray began. Then each coordinate
+// of the start is rounded up for the one and down for the other side of a box, such that the
+// stretch between the two planes only grows. What is left are roundings relative to a distance, and
+// those are covered as in Ize, "Robust BVH Ray Traversal", JCGT 2(2) 2013.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "tracer/bvh/bvh.h"
+#include "tracer/rays/ray.h"
+
+namespace lancer {
+
+/// A number no larger than x: below the nearest one by at least a unit in the last place, which is
+/// at most 2^-23 of it (2^-149 where it is subnormal).
+inline float clearly_below(double x) {
+    const auto f = static_cast<float>(x);
+    return f - (std::abs(f) * 0x1p-23F + std::numeric_limits<float>::denorm_min());
+}
+inline float clearly_above(double x) {
+    return -clearly_below(-x);
+}
+
+/// A ray for the pairs of planes across one axis.
+template <class Number>
+struct SlabRay {
+    Number enter_origin, leave_origin;    ///< the start, for the planes met first and last
+    Number enter_inverse, leave_inverse;  ///< 1 / direction
+    bool negative;                        ///< the direction's sign
+
+    /// The start is hi + lo, the tests take hi alone. As |lo| <= u |hi|, that is within what the
+    /// box is `widened` by next to the plane, and far from the plane lo changes the distance by 2 u
+    /// of itself.
+    static SlabRay of(Number origin, Number inverse) {
+        return {origin, origin, inverse, inverse, std::signbit(inverse)};
+    }
+};
+
+/// How the parameters of a ray look to the tests of boxes: (t - start) * scale.
+template <class Real>
+class BoxRay {
+  public:
+    using Number = BoxNumber<Real>;
+
+    /// \param bounds  of the whole tree
+    BoxRay(const Bounds<Real>& bounds, const Ray<Real>& ray, Real t_min, Real limit) {
+        if constexpr (std::is_same_v<Number, Real>) {
+            for (int i = 0; i < 3; ++i) slabs[i] = SlabRay<Real>::of(ray.origin[i], ray.inv_dir[i]);
+            first = t_min;
+        } else {
+            enter(bounds, ray, t_min, limit);
+        }
+    }
+
+    bool misses = false;  ///< the ray meets no box of the tree
+    Number first = 0;     ///< where the search begins
+    SlabRay<Number> slabs[3];
+
+    /// A bound on this parameter from above.
+    Number parameter(Real t) const {
+        if constexpr (std::is_same_v<Number, Real>) {
+            return t;
+        } else {  // the difference errs by u of both
+            const Real error = gamma<Real>(2) * (std::abs(t) + std::abs(start_));
+            return clearly_above(((t - start_) + error) * scale_);
+        }
+    }
+
+  private:
+    void enter(const Bounds<Real>& bounds, const Ray<Real>& ray, Real t_min, Real limit) {
+        Real near = t_min;
+        Real far = limit;
+        for (int i = 0; i < 3; ++i) {
+            const bool negative = std::signbit(ray.inv_dir[i]);
+            const Real in =
+                ((negative ? bounds.max[i] : bounds.min[i]) - ray.origin[i]) * ray.inv_dir[i];
+            const Real out =
+                ((negative ? bounds.min[i] : bounds.max[i]) - ray.origin[i]) * ray.inv_dir[i];
+            if (in > near) near = in;
+            if (out < far) far = out;
+        }
+        misses = near > far + gamma<Real>(12) * std::abs(far);
+        if (misses) return;
+        start_ = near > t_min ? near - gamma<Real>(12) * std::abs(near) : t_min;
+        for (int i = 0; i < 3; ++i) {
+            const Real way = start_ * ray.dir[i];
+            const Real at = ray.origin[i] + way;
+            // Two roundings, and the low part of the start; then that of the coarser type, and of
+            // the sums below.
+            const Real error = gamma<Real>(4) * (std::abs(ray.origin[i]) + std::abs(way));
+            const float pad = clearly_above(Real(0x1p-22) * std::abs(at) + error);
+            const float coarse = static_cast<float>(at);
+            const bool negative = std::signbit(ray.inv_dir[i]);
+            slabs[i].negative = negative;
+            slabs[i].enter_origin = negative ? coarse - pad : coarse + pad;
+            slabs[i].leave_origin = negative ? coarse + pad : coarse - pad;
+        }
+        set_inverses(ray.inv_dir);
+    }
+
+    void set_inverses(const Vec3<Real>& inverse) {
+        // Rays in an object's own space have directions of any length.
+        const Vec3<Real> size = absolute(inverse);
+        const Real least = std::min(size.x, std::min(size.y, size.z));
+        if (!(least > Real(0x1p-20) && least < Real(0x1p20)) && least > 0 && std::isfinite(least))
+            scale_ = std::ldexp(Real(1), -std::ilogb(least));
+        for (int i = 0; i < 3; ++i) {
+            const Real exact = inverse[i] * scale_;
+            const auto rounded = static_cast<float>(exact);
+            slabs[i].leave_inverse = rounded;
+            slabs[i].enter_inverse = rounded;
+            // Too large for the type, but no division by 0: the nearer plane must stay near.
+            if (std::isinf(rounded) && std::isfinite(inverse[i]))
+                slabs[i].enter_inverse = std::copysign(std::numeric_limits<float>::max(), rounded);
+        }
+    }
+
+    Real start_ = 0;
+    Real scale_ = 1;
+};
+
+/// Cuts the parameters between `near` and `far` down to those between the planes of each of the
+/// boxes that are perpendicular to `axis`. NaN (0 times infinity, a ray in a face of the box)
+/// loses every comparison and keeps the box.
+template <class Real>
+[[gnu::always_inline]] inline void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis,
+                                                const SlabRay<BoxNumber<Real>>& ray,
+                                                Children<Real>& near, Children<Real>& far) {
+    const Children<Real> enter(ray.negative ? node.max[axis] : node.min[axis]);
+    const Children<Real> leave(ray.negative ? node.min[axis] : node.max[axis]);
+    near = larger((enter - Children<Real>(ray.enter_origin)) * Children<Real>(ray.enter_inverse),
+                  near);
+    far = smaller((leave - Children<Real>(ray.leave_origin)) * Children<Real>(ray.leave_inverse),
+                  far);
+}
+
+/// Far distances are multiplied by it, after the minimum, which it commutes with: Ize (above), with
+/// two more roundings for the low part of the origin. In the coarser type they cover that of the
+/// inverse.
+template <class Number>
+inline constexpr Number far_factor = 1 + 2 * gamma<Number>(5);
+
+template <class Real>
+Children<Real> widened_far(const Children<Real>& far) {
+    return far * Children<Real>(far_factor<BoxNumber<Real>>);
+}
+
+}  // namespace lancer

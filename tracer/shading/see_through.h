@@ -1,0 +1,107 @@
+// Shadows through transparent things, by one search instead of one for each contact.
+//
+// light_through() goes from contact to contact, because each changes the bodies that the ray is in.
+// Where all crossings of the way are clear of each other, of the start and of the light, one search
+// gives the same contacts: each crossing is computed from the same ray by the same formula as
+// there, a contact holds one of them alone, and which of them count follows from the bodies passed
+// so far. What is not as clear is left to light_through(): this is a filter in front of it, and no
+// second truth.
+#pragma once
+
+#include "tracer/intersect/media.h"
+
+namespace lancer {
+
+/// The crossings of the way to a light with what lets light pass.
+template <class Real>
+class SeeThrough {
+  public:
+    /// \param distance  to the light
+    SeeThrough(const World<Real>& world, Real distance) : world_(world), distance_(distance) {}
+
+    /// A search must look so far, so that no crossing next to the light is missing here that
+    /// another formula puts before it.
+    Real reach() const { return distance_ * (1 + Real(0x1p-20)); }
+
+    /// Takes one crossing of a transmissive primitive.
+    ///
+    /// \param touched  whether the ray starts on the primitive
+    void add(std::uint32_t primitive, const Crossing<Real>& c, bool touched) {
+        const Real margin = apart * c.error;
+        if (c.t < -margin || c.t > distance_ + margin) return;
+        const Primitive<Real>& p = world_.primitives[primitive];
+        const Finish<Real>& finish = world_.finishes[p.material];
+        const bool plain = finish.texture == none && !(p.medium && finish.absorbs);
+        const bool between = c.t > margin && c.t < distance_ - margin;
+        if (!plain || !between || passes_.size() == most) clear_ = false;
+        if (clear_) passes_.push_back({c.t, c.error, primitive, c.entering, touched});
+    }
+
+    /// Sorts what was found, and tells whether it is all that there is to know.
+    ///
+    /// \param start   where the search began
+    /// \param bodies  around its first part
+    bool tells_all(const Start<Real>& start, const MediaList& bodies) {
+        if (!clear_ || !start.fresh || start.t != 0) return false;
+        for (const std::uint32_t body : bodies) {
+            const Primitive<Real>& p = world_.primitives[body];
+            if (!p.casts_shadow || world_.finishes[p.material].absorbs) return false;
+        }
+        std::sort(passes_.begin(), passes_.end(),
+                  [](const Pass& a, const Pass& b) { return a.t < b.t; });
+        for (std::size_t i = 1; i < passes_.size(); ++i) {
+            const Pass& before = passes_[i - 1];
+            const Pass& pass = passes_[i];
+            // A primitive that the ray starts on is met by another formula once it has passed
+            // something else.
+            if (pass.touched || !(pass.t - before.t > apart * (before.error + pass.error)))
+                return false;
+        }
+        return !hides_a_way_out(start, bodies);
+    }
+
+    /// The product over all surfaces that are passed, in their order.
+    Vec3<Real> transmittance(MediaList bodies) const {
+        Vec3<Real> light(1);
+        for (const Pass& pass : passes_) {
+            const Primitive<Real>& p = world_.primitives[pass.primitive];
+            if (p.medium) {
+                if (contains(bodies, pass.primitive) == pass.entering) continue;
+                toggle(bodies, pass.primitive);
+            }
+            const Finish<Real>& finish = world_.finishes[p.material];
+            light = light * (finish.filter * finish.color + Vec3<Real>(finish.transmission));
+            if (!(max_component(light) > 0)) return Vec3<Real>(0);
+        }
+        return light;
+    }
+
+  private:
+    struct Pass {
+        Real t, error;
+        std::uint32_t primitive;
+        bool entering;
+        bool touched;
+    };
+
+    /// Eight bounds: hits that are one contact lie within two (NearestContact).
+    static constexpr Real apart = 8;
+    static constexpr std::size_t most = 64;
+
+    /// Whether the ray starts on a body that it is in and no crossing leads out of it: the light is
+    /// inside, or rounding hides the way out.
+    bool hides_a_way_out(const Start<Real>& start, const MediaList& bodies) const {
+        return std::any_of(
+            start.surfaces.begin(), start.surfaces.end(), [&](const SurfaceId& surface) {
+                if (!contains(bodies, surface.primitive)) return false;
+                return passes_.empty() || passes_.front().primitive != surface.primitive;
+            });
+    }
+
+    const World<Real>& world_;
+    Real distance_;
+    bool clear_ = true;
+    boost::container::small_vector<Pass, 16> passes_;
+};
+
+}  // namespace lancer
