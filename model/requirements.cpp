@@ -1,6 +1,7 @@
 #include "model/requirements.h"
 
 #include <algorithm>
+#include <map>
 
 #include "model/bodies.h"
 
@@ -24,6 +25,7 @@ constexpr std::array<Words, feature_count> words{{
     {"fresnel", "reflection weighted by Fresnel's equations"},
     {"transmission", "rays that go on behind a surface"},
     {"media", "a list of the bodies that each ray is inside of"},
+    {"smooth media", "a second list, for meshes whose normals are interpolated"},
     {"refraction", "rays that bend"},
     {"absorption", "light that fades inside a body"},
     {"light from behind", "lights behind a surface that shine through it"},
@@ -95,15 +97,27 @@ class Collector {
     /// What the inside of a body does to the rays in it. An opaque body can be lived in as well.
     void add_inside(const Object& object, const Material& m, bool transparent,
                     const Demand& demand) {
-        const bool bends = transparent && m.ior != 1;
         const bool absorbs = max_component(m.absorption) > 0;
-        const bool news = (bends && !found_.needs(Feature::refraction)) ||
-                          (absorbs && !found_.needs(Feature::absorption));
-        // Whether a mesh is closed takes a while to find out, so it is asked only when it matters.
-        if (!news || !is_body(scene_, object.shape)) return;
-        found_.add(Feature::media, demand);
-        if (bends) found_.add(Feature::refraction, demand);
+        const bool matters = transparent || m.ior != 1 || absorbs;
+        const bool medium = matters && is_body_here(object.shape);
+        found_.add_medium(medium);
+        if (!medium) return;
+        if (transparent || absorbs) found_.add(Feature::media, demand);
+        if (transparent && m.ior != 1) found_.add(Feature::refraction, demand);
         if (absorbs) found_.add(Feature::absorption, demand);
+        const auto* mesh = std::get_if<MeshRef>(&object.shape);
+        if (mesh != nullptr && mesh->smooth && settings_.smooth)
+            found_.add(Feature::smooth_media, demand);
+    }
+
+    /// Whether a mesh is closed takes a while to find out, so each is looked at once, and only when
+    /// it matters.
+    bool is_body_here(const Shape& shape) {
+        const auto* ref = std::get_if<MeshRef>(&shape);
+        if (ref == nullptr) return is_body(scene_, shape);
+        const auto [at, is_new] = closed_.try_emplace(ref->mesh, false);
+        if (is_new) at->second = is_body(scene_, shape);
+        return at->second;
     }
 
     void add_lights() {
@@ -119,6 +133,7 @@ class Collector {
     const Settings& settings_;
     Requirements found_;
     std::optional<Demand> first_filter_;
+    std::map<std::uint32_t, bool> closed_;  ///< by mesh
 };
 
 }  // namespace

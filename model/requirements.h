@@ -1,11 +1,12 @@
 // What a scene asks of the renderer, and which object asks first. What nothing asks for costs
-// nothing.
+// nothing. The tracer's World takes its answers from here, and so does `lancer info`.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "model/scene.h"
 #include "model/settings.h"
@@ -25,11 +26,12 @@ enum class Feature : std::uint8_t {
     fresnel,            ///< reflection weighted by Fresnel's equations
     transmission,       ///< rays that go on behind a surface
     media,              ///< a list of the bodies that a ray is in
+    smooth_media,       ///< a second list, of the bodies whose index counts
     refraction,         ///< rays that bend
     absorption,         ///< light that fades inside a body
     light_from_behind,  ///< diffuse_transmission or phong_transmission
 };
-inline constexpr std::size_t feature_count = 14;
+inline constexpr std::size_t feature_count = 15;
 
 /// The word for it in `info`, and one sentence of what it means.
 std::string_view name_of(Feature feature);
@@ -50,7 +52,14 @@ class Requirements {
     /// Notes a demand, unless there is an earlier one.
     void add(Feature feature, const Demand& by);
 
+    /// Whether the object is a body whose inside matters to rays: it lets light through, or has an
+    /// index or an absorption of its own.
+    bool is_medium(std::uint32_t object) const { return mediums_[object]; }
+    /// Of the next object.
+    void add_medium(bool is_one) { mediums_.push_back(is_one); }
+
   private:
+    std::vector<bool> mediums_;  ///< in the order of Scene::objects
     std::array<std::optional<Demand>, feature_count> demands_;
 };
 

@@ -62,8 +62,10 @@ TEST(Requirements, ASheetIsNeverInsideOfAnything) {
     EXPECT_THAT(features(scene), ElementsAre(Feature::transmission));
 }
 
-TEST(Requirements, AClearBodyOfTheSurroundingIndexNeedsNoList) {
-    EXPECT_THAT(features(sphere_of({.transmission = 1})), ElementsAre(Feature::transmission));
+TEST(Requirements, AClearBodyOfTheSurroundingIndexNeedsTheList) {
+    EXPECT_THAT(features(sphere_of({.transmission = 1})),
+                ElementsAre(Feature::transmission, Feature::media))
+        << "which of its crossings count follows from where the ray is";
     EXPECT_THAT(features(sphere_of({.ior = 1.5})), IsEmpty()) << "opaque";
     EXPECT_THAT(features(sphere_of({.absorption = {0, 0, 1}})),
                 ElementsAre(Feature::media, Feature::absorption))
@@ -84,8 +86,8 @@ TEST(Requirements, AnImageWithAlphaLetsLightThrough) {
     scene.images.push_back({"alpha.png", true, std::make_shared<Image>(1, 1, 4)});
     EXPECT_THAT(features(scene), ElementsAre(Feature::textures, Feature::image_textures));
     std::get<ImageTexture>(scene.textures[0].pattern).image = 1;
-    EXPECT_THAT(features(scene),
-                ElementsAre(Feature::textures, Feature::image_textures, Feature::transmission));
+    EXPECT_THAT(features(scene), ElementsAre(Feature::textures, Feature::image_textures,
+                                             Feature::transmission, Feature::media));
     scene.settings.textures = false;
     EXPECT_THAT(features(scene), IsEmpty());
 }

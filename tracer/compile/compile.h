@@ -30,6 +30,7 @@ class Compiler {
         : scene_(scene),
           settings_(settings),
           by_povray_(by_povray),
+          requirements_(requirements_of(scene, settings)),
           world_(std::make_unique<World<Real>>()) {
         threads_ = settings.threads > 0 ? settings.threads
                                         : static_cast<int>(std::thread::hardware_concurrency());
@@ -39,6 +40,10 @@ class Compiler {
         if (settings_.max_depth > deepest)
             throw SceneError({}, "max_depth above 1000 is not supported");
         world_->settings = settings_;
+        world_->has_transmission = requirements_.needs(Feature::transmission);
+        world_->has_media = requirements_.needs(Feature::media);
+        world_->has_smooth_media = requirements_.needs(Feature::smooth_media);
+        world_->has_textures = requirements_.needs(Feature::textures);
         world_->scale_exponent = scale_exponent(scene_);
         world_->background = in_range(scene_.background, {}, "background");
         world_->ambient = in_range(scene_.ambient, {}, "ambient");
@@ -68,7 +73,6 @@ class Compiler {
         f.color = in_range(settings_.textures ? m.color : plain_color(scene_, m), {},
                            "a material's color");
         f.texture = settings_.textures ? m.texture : none;
-        if (f.texture != none) world_->has_textures = true;
         f.ambient = static_cast<Real>(m.ambient);
         f.diffuse = static_cast<Real>(m.diffuse);
         f.emission = in_range(m.emission, {}, "a material's emission");
@@ -152,17 +156,11 @@ class Compiler {
             }
             const Material& m = scene_.materials[object.material];
             p.transmissive = lets_light_through(scene_, m, settings_.textures);
-            const bool has_matter = inside_matters(m);
-            // Whether a mesh has an inside takes a while to find out, so it is asked only when it
-            // matters.
-            p.body = (has_matter || !std::holds_alternative<MeshRef>(object.shape)) &&
-                     is_body(scene_, object.shape);
+            p.medium = requirements_.is_medium(i);
+            // Whether a mesh has an inside is asked only when it matters.
+            p.body = std::holds_alternative<MeshRef>(object.shape) ? p.medium
+                                                                   : is_body(scene_, object.shape);
             p.convex = is_convex(p.solid);
-            p.medium = p.body && has_matter;
-            const auto* mesh = std::get_if<MeshInstance<Real>>(&p.solid);
-            world_->has_smooth_media |= p.medium && mesh != nullptr && mesh->smooth;
-            world_->has_transmission |= p.transmissive;
-            world_->has_media |= p.medium && (p.transmissive || max_component(m.absorption) > 0);
             (std::holds_alternative<HalfSpace<Real>>(p.solid) ? unbounded : bounded).push_back(p);
         }
         world_->bounded = static_cast<std::uint32_t>(bounded.size());
@@ -175,24 +173,17 @@ class Compiler {
         return ref != nullptr && is_single_point(scene_.patches[ref->patch].control);
     }
 
-    /// Whether it matters to rays that they are inside a body of this material.
-    bool inside_matters(const Material& m) const {
-        return lets_light_through(scene_, m, settings_.textures) || m.ior != 1 ||
-               max_component(m.absorption) > 0;
-    }
-
     using MeshTable = std::map<std::uint32_t, const TriangleMesh<Real>*>;
 
     /// Compiles every mesh that an object shows, once.
     MeshTable mesh_needs() {
         std::map<std::uint32_t, MeshNeeds> needs;
-        for (const Object& object : scene_.objects) {
-            const auto* ref = std::get_if<MeshRef>(&object.shape);
+        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+            const auto* ref = std::get_if<MeshRef>(&scene_.objects[i].shape);
             if (ref == nullptr) continue;
             MeshNeeds& n = needs[ref->mesh];
             n.normals |= ref->smooth && settings_.smooth;
-            const Material& m = scene_.materials[object.material];
-            n.body |= inside_matters(m) && is_body(scene_, object.shape);
+            n.body |= requirements_.is_medium(i);
         }
         MeshTable table;
         for (const auto& [index, n] : needs) {
@@ -269,6 +260,7 @@ class Compiler {
     const Scene& scene_;
     const Settings& settings_;
     const PovRayRules* by_povray_;
+    const Requirements requirements_;
     std::unique_ptr<World<Real>> world_;
     int threads_ = 1;
 };
