@@ -11,12 +11,12 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/output_names.h"
+#include "judge/report/entry_html.h"
+#include "judge/report/folders.h"
 #include "model/io/file.h"
 #include "model/io/image_file.h"
 #include "reference/compare/comparison_text.h"
 #include "reference/compare/heat_map.h"
-#include "reference/report/entry_html.h"
-#include "reference/report/folders.h"
 
 namespace lancer::cli {
 namespace {
@@ -47,16 +47,16 @@ reference::CompareOptions options_of(const CompareJob& job) {
 ExitCode compare_folders(const CompareJob& job) {
     if (!job.heat_map.empty() || !job.json.empty())
         throw UsageError("-o and --json are for two pictures; two folders take --report DIR");
-    const auto show = [&job](const reference::ReportEntry& entry) {
+    const auto show = [&job](const judge::ReportEntry& entry) {
         if (job.quiet) return;
-        fmt::print("{}  {}{}{}\n", entry.name, reference::verdict_name(entry.verdict),
+        fmt::print("{}  {}{}{}\n", entry.name, judge::verdict_name(entry.verdict),
                    entry.reasons.empty() ? "" : ": ",
                    entry.reasons.empty() ? "" : entry.reasons.front());
     };
-    const reference::FolderComparison result =
-        reference::compare_folders(job.a, job.b, options_of(job), show);
+    const judge::FolderComparison result =
+        judge::compare_folders(job.a, job.b, options_of(job), show);
     if (!job.report.empty()) {
-        reference::write_report(result.report, job.report);
+        judge::write_report(result.report, job.report);
         if (!job.quiet) fmt::print("wrote {}/index.html\n", job.report);
     }
     if (result.unreadable > 0) return ExitCode::files;

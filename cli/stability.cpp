@@ -1,5 +1,5 @@
 // lancer stability
-#include "reference/stability/stability.h"
+#include "judge/stability/stability.h"
 
 #include <fmt/format.h>
 
@@ -17,18 +17,17 @@
 #include "cli/settings_options.h"
 #include "cli/stability_options.h"
 #include "cli/stopwatch.h"
+#include "judge/stability/stability_text.h"
 #include "model/diagnostic.h"
 #include "model/io/file.h"
-#include "reference/stability/stability_text.h"
-#include "tracer/render.h"
 
 namespace lancer::cli {
 namespace {
 
-using reference::Change;
-using reference::StabilityReport;
-using reference::Trial;
-using reference::Window;
+using judge::Change;
+using judge::StabilityReport;
+using judge::Trial;
+using judge::Window;
 
 struct StabilityJob {
     std::string scene;
@@ -76,10 +75,10 @@ std::vector<Trial> trials_of(const StabilityJob& job, const Scene& scene, std::u
     const auto trial_of = [&](Change change) -> Trial& {
         for (Trial& trial : trials)
             if (trial.change == change) return trial;
-        return trials.emplace_back(reference::default_trial(scene, camera, change));
+        return trials.emplace_back(judge::default_trial(scene, camera, change));
     };
     if (job.tries.empty())
-        for (const Change change : reference::all_changes) trial_of(change);
+        for (const Change change : judge::all_changes) trial_of(change);
     for (const ChangeRange& range : job.tries) {
         Trial& trial = trial_of(range.change);
         trial.high = range.high.value_or(trial.high);
@@ -103,13 +102,13 @@ bool is_held(const ChangeRange& demand, const Window& window) {
 
 void ask_povray(const StabilityJob& job, const Scene& scene, const reference::ExportView& view,
                 double seconds_left, StabilityReport& report) {
-    reference::PovRayWindow& result = report.povray.emplace();
+    judge::PovRayWindow& result = report.povray.emplace();
     try {
         reference::PovOptions options;
         options.cache = job.no_cache ? std::string() : reference::cache_folder();
         if (job.time) options.time_limit = std::clamp(seconds_left, 1.0, options.time_limit);
-        result = reference::povray_window(scene, view, reference::find_povray(), options,
-                                          report.options);
+        result =
+            judge::povray_window(scene, view, reference::find_povray(), options, report.options);
     } catch (const FileError& error) {
         result.failure = error.what();
     }
@@ -160,17 +159,7 @@ ExitCode stability(const StabilityJob& job, Session& session) {
         fmt::print("{}", text);
         std::fflush(stdout);
     };
-    const auto render = [&](const Scene& changed, Precision precision) {
-        Settings settings = changed.settings;
-        settings.precision = precision;
-        View picture;
-        picture.camera = view.camera;
-        picture.width = view.width;
-        picture.height = view.height;
-        RayCounts rays;
-        return compile(changed, settings)->render(picture, {}, rays);
-    };
-    reference::StabilityTest test(scene, render, report.options, may_go_on);
+    judge::StabilityTest test(scene, judge::renderer_of(view), report.options, may_go_on);
     show(stability_head(report));
     for (const Trial& trial : trials_of(job, scene, view.camera)) {
         report.windows.push_back(test.run(trial));

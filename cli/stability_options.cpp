@@ -11,7 +11,7 @@
 namespace lancer::cli {
 namespace {
 
-using reference::Change;
+using judge::Change;
 
 /// As far as doubles reach, with room for the scene's own size.
 constexpr int most_decades = 300;
@@ -23,7 +23,7 @@ int largest_exponent(Change change) {
 
 Change parse_change(const std::string& word) {
     std::string names;
-    for (const Change change : reference::all_changes) {
+    for (const Change change : judge::all_changes) {
         if (word == name_of(change)) return change;
         names += (names.empty() ? "" : ", ") + std::string(name_of(change));
     }

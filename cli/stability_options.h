@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "reference/stability/stability.h"
+#include "judge/stability/stability.h"
 
 namespace lancer::cli {
 
 struct ChangeRange {
-    reference::Change change = reference::Change::scale;
+    judge::Change change = judge::Change::scale;
     /// Exponents of the change's base, rounded outwards; nothing where none were given. A lower end
     /// stands only with a range.
     std::optional<int> low;

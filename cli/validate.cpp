@@ -1,5 +1,5 @@
 // lancer validate
-#include "reference/validate/validate.h"
+#include "judge/validate/validate.h"
 
 #include <fmt/format.h>
 
@@ -16,16 +16,16 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/our_renderer.h"
 #include "cli/scene_loader.h"
+#include "judge/validate/our_renderer.h"
+#include "judge/validate/validation_text.h"
 #include "model/io/file.h"
-#include "reference/validate/validation_text.h"
 
 namespace lancer::cli {
 namespace {
 
-using reference::Validation;
-using reference::ValidationJob;
+using judge::Validation;
+using judge::ValidationJob;
 
 struct ValidateJob {
     std::vector<std::string> scenes;
@@ -51,14 +51,14 @@ PictureSize size_of(const ValidateJob& job, const Scene& scene) {
 ValidationJob load(const std::string& path, const ValidateJob& job, Session& session) {
     SceneLoader loader(path, job.scene_options, session);
     auto scene = std::make_shared<Scene>(loader.load());
-    reference::prepare_for_validation(*scene);
+    judge::prepare_for_validation(*scene);
     ValidationJob result;
     result.name = path == "-" ? "scene" : std::filesystem::path(path).stem().string();
     result.path = path;
     const PictureSize size = size_of(job, *scene);
     result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job.camera, session)), size.width,
                    size.height};
-    if (path != "-") result.expect = reference::read_expectations(path);
+    if (path != "-") result.expect = judge::read_expectations(path);
     result.scene = std::move(scene);
     return result;
 }
@@ -84,14 +84,14 @@ class Validations {
         for (const ValidationJob& job : jobs_) name_width_ = std::max(name_width_, job.name.size());
         pov_options_.cache = options.no_cache ? std::string() : reference::cache_folder();
         pov_options_.time_limit = options.time_limit.value_or(pov_options_.time_limit);
-        report_ = reference::validation_report(povray_, LANCER_VERSION);
+        report_ = judge::validation_report(povray_, LANCER_VERSION);
     }
 
     void run() {
         results_.resize(jobs_.size());
         done_.resize(jobs_.size());
         report_.entries.resize(jobs_.size());
-        if (!options_.quiet) fmt::print("{}", reference::table_head(name_width_));
+        if (!options_.quiet) fmt::print("{}", judge::table_head(name_width_));
         // POV-Ray sleeps while it starts, so that twice as many as there are cores keep them busy.
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
         const auto workers = static_cast<std::size_t>(options_.jobs.value_or(2 * cores));
@@ -104,17 +104,16 @@ class Validations {
 
     ExitCode finish() {
         if (!options_.json.empty()) {
-            io::write_file(options_.json, reference::validations_to_json(results_, povray_));
+            io::write_file(options_.json, judge::validations_to_json(results_, povray_));
         }
         if (!options_.report.empty()) {
-            reference::write_report(report_, options_.report);
+            judge::write_report(report_, options_.report);
             if (!options_.quiet) fmt::print("wrote {}/index.html\n", options_.report);
         }
         ExitCode worst = ExitCode::done;
         for (const Validation& v : results_) {
-            if (v.verdict == reference::Verdict::differs)
-                worst = std::max(worst, ExitCode::differs);
-            if (v.verdict == reference::Verdict::failed) worst = std::max(worst, exit_code_of(v));
+            if (v.verdict == judge::Verdict::differs) worst = std::max(worst, ExitCode::differs);
+            if (v.verdict == judge::Verdict::failed) worst = std::max(worst, exit_code_of(v));
         }
         return worst;
     }
@@ -128,8 +127,8 @@ class Validations {
     void work() {
         for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
             Validation result =
-                reference::validate_scene(jobs_[i], render_ours, povray_, pov_options_);
-            if (!options_.report.empty()) report_.entries[i] = reference::report_entry(result);
+                judge::validate_scene(jobs_[i], judge::render_ours, povray_, pov_options_);
+            if (!options_.report.empty()) report_.entries[i] = judge::report_entry(result);
             result.ours = {};
             result.theirs = {};
             const std::lock_guard lock(mutex_);
@@ -141,8 +140,7 @@ class Validations {
 
     void show_lines() {
         for (; shown_ < jobs_.size() && done_[shown_]; ++shown_) {
-            if (!options_.quiet)
-                fmt::print("{}", reference::table_row(results_[shown_], name_width_));
+            if (!options_.quiet) fmt::print("{}", judge::table_row(results_[shown_], name_width_));
         }
         std::fflush(stdout);
     }
@@ -157,7 +155,7 @@ class Validations {
     std::vector<Validation> results_;
     std::vector<bool> done_;
     std::size_t shown_ = 0;
-    reference::Report report_;
+    judge::Report report_;
 };
 
 ExitCode validate(const ValidateJob& job, Session& session) {

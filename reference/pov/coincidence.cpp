@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/pov/window.h"
+#include "reference/pov/export_scale.h"
 
 namespace lancer::reference::pov {
 

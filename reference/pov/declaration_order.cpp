@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "model/bodies.h"
+#include "reference/pov/export_scale.h"
 #include "reference/pov/materials.h"
-#include "reference/pov/window.h"
 
 namespace lancer::reference::pov {
 

@@ -43,7 +43,7 @@ bool meet(const Traits& a, const Traits& b) {
 
 class Search {
   public:
-    Search(const Scene& scene, PowerOfTen window) : scene_(scene), window_(window) {
+    Search(const Scene& scene, PowerOfTen scale) : scene_(scene), scale_(scale) {
         for (const Object& object : scene.objects) objects_.push_back(traits_of(object));
     }
 
@@ -71,7 +71,7 @@ class Search {
             const Vec3d own = normalize(plane->normal);
             // A normal moves with the transposed inverse.
             t.normal = normalize(map_transposed(inverse(to_world), own));
-            t.offset = dot(t.normal, window_(map_point(to_world, own * plane->offset)));
+            t.offset = dot(t.normal, scale_(map_point(to_world, own * plane->offset)));
         }
         t.body = is_body(scene_, object.shape);
         t.passes = lets_light_pass(scene_, *t.material);
@@ -81,8 +81,8 @@ class Search {
         t.patch = std::holds_alternative<PatchRef>(object.shape);
         if (const auto own = shape_bounds(scene_, object.shape)) {
             t.bounds = moved(to_world, *own);
-            t.bounds.low = window_(t.bounds.low);
-            t.bounds.high = window_(t.bounds.high);
+            t.bounds.low = scale_(t.bounds.low);
+            t.bounds.high = scale_(t.bounds.high);
         }
         return t;
     }
@@ -211,15 +211,15 @@ class Search {
     }
 
     const Scene& scene_;
-    PowerOfTen window_;
+    PowerOfTen scale_;
     std::vector<Traits> objects_;
     std::vector<KnownDifference> found_;
 };
 
 }  // namespace
 
-std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen window) {
-    return Search(scene, window).run();
+std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen scale) {
+    return Search(scene, scale).run();
 }
 
 }  // namespace lancer::reference::pov

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "reference/pov/export.h"
-#include "reference/pov/window.h"
+#include "reference/pov/export_scale.h"
 
 namespace lancer::reference::pov {
 
 /// The rules that this scene can meet, each with the objects where it can show. Errs on the side of
 /// naming one: boxes stand for objects where only these are compared.
-std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen window);
+std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen scale);
 
 }  // namespace lancer::reference::pov

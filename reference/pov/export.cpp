@@ -4,7 +4,7 @@
 
 #include "reference/pov/declaration_order.h"
 #include "reference/pov/differences.h"
-#include "reference/pov/window.h"
+#include "reference/pov/export_scale.h"
 #include "reference/pov/writer.h"
 
 namespace lancer::reference {
@@ -60,14 +60,14 @@ std::string rule_name(KnownDifference::Rule rule) {
 ExportResult export_pov(const Scene& scene, const ExportView& view, const ExportOptions& options) {
     assert(view.camera < scene.cameras.size() && view.width > 0 && view.height > 0);
     ExportResult result;
-    const pov::PowerOfTen window = options.decades
-                                       ? pov::PowerOfTen{*options.decades}
-                                       : pov::scene_window(scene, view, options.keep_lengths);
-    pov::Writer writer{scene, view, options, result, window, {}, {}, {}, {}};
-    result.factor = window.factor();
-    result.decades = window.exponent;
-    result.rules.unit = window.inverse().factor();
-    result.rules.patch_halvings.resize(scene.patches.size());
+    const pov::PowerOfTen scale = options.decades
+                                      ? pov::PowerOfTen{*options.decades}
+                                      : pov::export_scale(scene, view, options.keep_lengths);
+    pov::Writer writer{scene, view, options, result, scale, {}, {}, {}, {}};
+    result.factor = scale.factor();
+    result.decades = scale.exponent;
+    result.unit = scale.inverse().factor();
+    result.patch_halvings.resize(scene.patches.size());
     result.exposure = options.exposure;
 
     write_header(writer);
@@ -79,7 +79,7 @@ ExportResult export_pov(const Scene& scene, const ExportView& view, const Export
     writer.text.blank();
     for (const std::uint32_t i : pov::declaration_order(scene, view)) write_object(writer, i);
 
-    result.known_differences = pov::known_differences(scene, window);
+    result.known_differences = pov::known_differences(scene, scale);
     if (result.refusals.empty())
         result.text = writer.text.take();
     else

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/diagnostic.h"
-#include "model/povray_rules.h"
 #include "model/scene.h"
 
 namespace lancer::reference {
@@ -91,7 +90,10 @@ struct ExportResult {
     double exposure = 1;  ///< as in the options
     std::vector<KnownDifference> known_differences;
     std::vector<Approximation> approximations;
-    PovRayRules rules;  ///< what our renderer needs to follow POV-Ray's rules in this file
+    double unit = 1;  ///< POV-Ray's unit of length in the scene's: 1 / factor
+    /// Of the patches, in the order of Scene::patches: POV-Ray draws each as 2^h x 2^h x 2
+    /// triangles.
+    std::vector<int> patch_halvings;
     /// Errors, each at its place: what POV-Ray has no word for. Nothing is left out silently.
     std::vector<Diagnostic> refusals;
 };

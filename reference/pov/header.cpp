@@ -27,9 +27,9 @@ void write_header(Writer& writer) {
         comment(writer.options.name), writer.view.width, writer.view.height));
     const std::string samples = samples_note(writer);
     if (!samples.empty()) text.line(samples);
-    text.line(writer.window.exponent == 0
+    text.line(writer.scale.exponent == 0
                   ? "// Lengths are those of the scene."
-                  : "// Lengths are those of the scene times " + number(writer.window.factor()) +
+                  : "// Lengths are those of the scene times " + number(writer.scale.factor()) +
                         ": POV-Ray sees no hit nearer than 1e-4, no shadow nearer than 1e-3.");
     if (writer.options.exposure != 1)
         text.line("// Lights, emission and background are multiplied by " +

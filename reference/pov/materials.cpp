@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "reference/pov/choices.h"
+#include "reference/pov/export_scale.h"
 #include "reference/pov/pigments.h"
-#include "reference/pov/window.h"
 
 namespace lancer::reference::pov {
 
@@ -65,7 +65,7 @@ void write_own_texture(Writer& writer, const Material& material, const Object& o
 TextureKey texture_key(const Writer& writer, const Object& object, PowerOfTen own) {
     TextureKey key{object.material, {}};
     if (texture_of(writer.scene, writer.scene.materials[object.material]) != nullptr)
-        key.second = own.exponent - writer.window.exponent;
+        key.second = own.exponent - writer.scale.exponent;
     return key;
 }
 
@@ -88,7 +88,7 @@ void declare_textures(Writer& writer) {
     std::map<TextureKey, std::pair<const Object*, PowerOfTen>> shown_by;  // the first that does
     for (const Object& object : scene.objects) {
         if (depends_on_shape(scene, scene.materials[object.material])) continue;
-        const ObjectSpace space = object_space(scene.transforms[object.transform], writer.window);
+        const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);
         shown_by.emplace(texture_key(writer, object, space.own), std::pair{&object, space.own});
     }
     for (const auto& [key, shower] : shown_by) {
@@ -127,8 +127,8 @@ void write_interior(Writer& writer, const Material& material, bool body) {
     const Color fade_color = Color(1.0) - material.absorption / most;
     writer.text.open("interior {  // absorption " + vector(material.absorption) + " per unit");
     writer.text.line(fmt::format("ior {} fade_power {} fade_distance {} fade_color {}",
-                                 number(material.ior), beer_lambert,
-                                 number(writer.window(1 / most)), rgb(fade_color)));
+                                 number(material.ior), beer_lambert, number(writer.scale(1 / most)),
+                                 rgb(fade_color)));
     writer.text.close();
 }
 

@@ -67,7 +67,7 @@ void write_object(Writer& writer, std::uint32_t index) {
                       "leave 'phong_transmission' out of the material to export the scene");
         return;
     }
-    const ObjectSpace space = object_space(scene.transforms[object.transform], writer.window);
+    const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);
     declare_mesh(writer, object, space.own);
     if (object.name != none) writer.text.line("// \"" + comment(scene.names[object.name]) + "\"");
     if (!open_shape(writer, object, space.own)) return;

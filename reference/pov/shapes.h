@@ -1,7 +1,7 @@
 // Shapes as POV-Ray's own primitives.
 #pragma once
 
-#include "reference/pov/window.h"
+#include "reference/pov/export_scale.h"
 #include "reference/pov/writer.h"
 
 namespace lancer::reference::pov {

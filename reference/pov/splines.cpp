@@ -182,7 +182,7 @@ bool open_patch(Writer& writer, const Object& object, const Patch& patch, PowerO
     for (std::size_t i = 0; i < patches_along(patch.rows); ++i)
         for (std::size_t j = 0; j < across; ++j) nets.push_back(bezier_net(patch, i, j, own));
     const int steps = halvings(writer.scene);
-    writer.result.rules.patch_halvings[std::get<PatchRef>(object.shape).patch] = steps;
+    writer.result.patch_halvings[std::get<PatchRef>(object.shape).patch] = steps;
     writer.approximate(
         object.place,
         fmt::format("patch as {0} x {0} x 2 triangles per bicubic patch", std::size_t(1) << steps));

@@ -1,4 +1,4 @@
-// What the parts of the exporter share: the scene, the window, and the result that grows.
+// What the parts of the exporter share: the scene, the scale, and the result that grows.
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@ struct Writer {
     const ExportView& view;
     const ExportOptions& options;
     ExportResult& result;
-    PowerOfTen window;
+    PowerOfTen scale;
     Text text;
 
     std::map<std::uint32_t, std::string> image_words;  ///< by index: `png "a.png" gamma srgb`

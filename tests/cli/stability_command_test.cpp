@@ -17,7 +17,7 @@ using testing::Not;
 
 TEST(ChangeRange, IsReadWhole) {
     const ChangeRange scale = parse_change_range("scale=1e-6..1e6");
-    EXPECT_EQ(scale.change, reference::Change::scale);
+    EXPECT_EQ(scale.change, judge::Change::scale);
     EXPECT_EQ(scale.low, -6);
     EXPECT_EQ(scale.high, 6);
     const ChangeRange twos = parse_change_range("twos=2^-40..1024");

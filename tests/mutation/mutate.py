@@ -64,7 +64,7 @@ inline bool is(int id) {
 }  // namespace mutant
 """
 # The copy's judge looks at no more pixels once too many are unexplained for the picture to pass: the same verdict, sooner.
-JUDGE = "reference/explain/explain.cpp"
+JUDGE = "judge/explain/explain.cpp"
 HURRY = [("    std::vector<Offset> offsets;\n    for (", "    std::vector<Offset> offsets;\n    std::size_t lost = 0;\n    for ("),
          ("if (result.rays >= most_rays) {", "if (result.rays >= most_rays || lost > limits.unexplained) {"),
          ("        result.classes[i] = pixel.pixel_class;\n",

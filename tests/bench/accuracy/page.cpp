@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "judge/stability/plot.h"
 #include "model/diagnostic.h"
-#include "reference/stability/plot.h"
 
 namespace lancer::bench {
 namespace {
@@ -129,14 +129,14 @@ std::string accuracy_section(const Measurement& measurement) {
 }
 
 std::string accuracy_plot(const Measurement& measurement) {
-    std::vector<reference::PlotPanel> panels;
+    std::vector<judge::PlotPanel> panels;
     for (const MeasuredRow& measured : measurement.rows) {
         if (!measured.row.plotted) continue;
-        reference::PlotPanel panel{measured.row.name, "", {}};
+        judge::PlotPanel panel{measured.row.name, "", {}};
         for (std::size_t i = 0; i < all_programs.size(); ++i) {
             const auto course = measured.courses.find(all_programs[i]);
             if (course == measured.courses.end() || cell(measured, course->second) == "–") continue;
-            reference::PlotSeries series;
+            judge::PlotSeries series;
             series.name = name_of(all_programs[i]);
             series.color = static_cast<int>(i);
             for (const auto& [k, wrong] : course->second.wrong)
@@ -146,7 +146,7 @@ std::string accuracy_plot(const Measurement& measurement) {
         }
         panels.push_back(std::move(panel));
     }
-    return reference::plot_svg("Wrong pixels against k", panels, 12288, 3);
+    return judge::plot_svg("Wrong pixels against k", panels, 12288, 3);
 }
 
 std::string with_section(const std::string& page, const std::string& section) {

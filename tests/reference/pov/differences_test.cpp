@@ -133,9 +133,8 @@ TEST(KnownDifferences, NamePatchesAndSayHowTheyAreHalved) {
     scene.materials.emplace_back();
     EXPECT_THAT(known(scene, Rule::patch_facets), testing::ElementsAre(1));
     const ExportResult result = export_pov(scene, view);
-    EXPECT_THAT(result.text,
-                HasSubstr("u_steps " + std::to_string(result.rules.patch_halvings[0])));
-    EXPECT_EQ(result.rules.unit * result.factor, 1);
+    EXPECT_THAT(result.text, HasSubstr("u_steps " + std::to_string(result.patch_halvings[0])));
+    EXPECT_EQ(result.unit * result.factor, 1);
 }
 
 TEST(KnownDifferences, NameWhatPassesStraightWhereLevelsRunOut) {

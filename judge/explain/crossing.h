@@ -1,0 +1,38 @@
+// May one pixel's difference be put down to an edge that runs through its centre?
+#pragma once
+
+#include <optional>
+
+#include "judge/explain/probe_function.h"
+
+namespace lancer::judge {
+
+/// What changes at an edge, judged by what lies an instant on either side of it.
+enum class EdgeKind {
+    silhouette,  ///< another object, a jump in depth or a crease
+    shadow,      ///< the same surface with other lights
+    texture,     ///< the same surface and lights: the surface's own colour
+    secondary,   ///< all that, seen in a mirror or through glass
+};
+
+/// An edge of our own picture beside a pixel's centre, with the other picture's value behind it.
+struct Crossing {
+    EdgeKind kind = EdgeKind::silhouette;
+    double dx = 0;  ///< from the centre to the edge, pixels, y down
+    double dy = 0;
+    double jump = 0;  ///< height of the step: largest component
+};
+
+/// Looks within `radius` pixels of (x, y) for a discontinuity of our picture behind which it takes
+/// the value `theirs`, to within `tolerance`. A value that is reached by a smooth change, however
+/// steep, does not count: the step must remain when looked at from 10^-12 pixel. Of several the
+/// nearest is returned.
+std::optional<Crossing> find_crossing(const ProbeFunction& probe, double x, double y,
+                                      const Color& theirs, double radius, double tolerance);
+
+/// How far from (x, y), in pixels, our picture takes the value `theirs` to within `tolerance`, by
+/// whatever change; nothing when it does not within `radius`.
+std::optional<double> reached_at(const ProbeFunction& probe, double x, double y,
+                                 const Color& theirs, double radius, double tolerance);
+
+}  // namespace lancer::judge

@@ -1,0 +1,125 @@
+// Two pictures of one scene: which differences must be there, and which are somebody's mistake.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "judge/explain/crossing.h"
+#include "judge/explain/edges.h"
+#include "judge/explain/probe_function.h"
+#include "judge/explain/shift.h"
+#include "model/image.h"
+
+namespace lancer::judge {
+
+/// What two programs must achieve to be called in agreement. All of it in linear light; a scene may
+/// replace single values in its .expect file (validate/expect.h).
+struct Thresholds {
+    /// A pixel that differs by more must be explained.
+    double interior = 1e-4;
+    std::size_t unexplained = 0;  ///< pixels over `interior` that may remain without an explanation
+    /// `tight_share` of the pixels that hold no edge differ by no more than `tight`; half a step
+    /// of a 16-bit picture is 7.6e-6.
+    double tight = 2e-5;
+    double tight_share = 0.999;
+    /// An edge explains a pixel when it passes its centre within so many pixels.
+    double radius = 0.01;
+    /// At most this share of the edge pixels may be explained ...
+    double explained_share = 0.04;
+    /// ... and at most this share by an edge further away than rounding can put it.
+    double displaced_share = 0.001;
+    double rounding = 1e-4;  ///< pixels
+    /// So far, in pixels, the digits that POV-Ray's solver leaves move what a ray is aimed at.
+    double digits = 1e-7;
+    /// At most this share of all pixels may be outliers, and so many are asked for.
+    double outlier_share = 1e-4;
+    /// The pictures may be shifted against each other by less than this many pixels.
+    double shift = 1e-3;
+};
+
+enum class PixelClass : std::uint8_t {
+    agrees,      ///< within Thresholds::interior
+    silhouette,  ///< explained, by the kind of edge
+    shadow,
+    texture,
+    secondary,
+    steep,        ///< explained: the last digits of the ray decide what it brings
+    outlier,      ///< the other picture has our value all around the pixel's centre
+    known,        ///< what the other program does otherwise by a rule of its own
+    unexplained,  ///< a mistake, or not looked at for want of rays
+};
+inline constexpr std::size_t pixel_classes = 9;
+std::string class_name(PixelClass pixel_class);
+
+/// A pixel over the interior threshold.
+struct DifferentPixel {
+    int x = 0;
+    int y = 0;
+    PixelClass pixel_class = PixelClass::unexplained;
+    double difference = 0;
+    Color ours{0, 0, 0};
+    Color theirs{0, 0, 0};
+    Offset offset;  ///< explained: from the centre to the edge
+};
+
+struct Judgement {
+    bool pass = false;
+    std::vector<std::string>
+        failures;  ///< one sentence each, with the achieved value and the threshold
+
+    std::size_t pixels = 0;
+    std::size_t edge_pixels = 0;
+    std::size_t interior_pixels = 0;  ///< neither edge nor explained nor known
+    double interior_max = 0;
+    double interior_p999 = 0;
+    double tight_share = 1;  ///< achieved
+    std::size_t counts[pixel_classes] = {};
+    std::size_t not_looked_at = 0;  ///< of the unexplained: when the rays were used up
+    std::uint64_t rays = 0;         ///< that explaining cost
+    std::size_t explained = 0;
+    std::size_t displaced = 0;  ///< explained by an edge further than Thresholds::rounding
+    Shift edge_shift;           ///< mean of the explained pixels' offsets
+    Shift picture_shift;        ///< by registration of what lies between the edges
+
+    std::vector<DifferentPixel> different;  ///< rows from the top
+    std::vector<PixelClass> classes;        ///< of every pixel, rows from the top
+
+    std::size_t count(PixelClass c) const { return counts[static_cast<std::size_t>(c)]; }
+};
+
+/// What is asked of a pixel that differs. All may be empty.
+struct SecondLook {
+    // The picture by a recursion that is not our renderer's own.
+    ProbeFunction by_rules;  ///< by the other program's rules: it gives the other program's values
+    ProbeFunction without;   ///< the same recursion without them: it gives ours
+    /// The other program's picture of 3 x 3 points, `pitch` pixels apart, around the centre of
+    /// pixel (x, y). Costs a run of that program.
+    std::function<Image(int x, int y, double pitch)> around{};
+};
+
+/// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
+/// `ours` at the pixels' centres. A pixel is a known difference, shown by number, when the second
+/// look has the other program's value by its rules, and ours without them: so it is the rules that
+/// make the difference, and not a fault of our recursion.
+///
+/// Explaining could excuse anything, so it is bounded. Rounding moves an edge by 10^-12 pixel or,
+/// where POV-Ray keeps single precision, by 10^-5: then hardly any pixel lies between the two
+/// edges. A camera that is off by 0.005 pixel flips 0.5 % of the pixels at upright edges, all to
+/// the same side: the count of displaced edges and the mean of the offsets show it. On what is
+/// shaded smoothly it shows as a difference along the gradient, which no edge explains, and by
+/// registration.
+///
+/// Where nothing explains a pixel, the other program is asked for what lies around its centre. When
+/// the values to both sides have ours for their mean, in two directions at least, its own picture
+/// denies the pixel: an outlier, as when a solver loses a root.
+///
+/// Explaining a pixel takes thousands of looks. Once they have cost `most_rays`, the pixels that
+/// are left count as unexplained.
+Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunction& probe,
+                         const Thresholds& thresholds, const SecondLook& second = {},
+                         std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max());
+
+}  // namespace lancer::judge

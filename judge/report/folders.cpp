@@ -1,0 +1,131 @@
+#include "judge/report/folders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "model/diagnostic.h"
+#include "model/io/image_file.h"
+#include "reference/compare/heat_map.h"
+
+namespace lancer::judge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names of the pictures below `folder`, relative to it.
+std::set<std::string> pictures_in(const std::string& folder) {
+    std::set<std::string> names;
+    std::error_code error;
+    fs::recursive_directory_iterator at(folder, error);
+    if (error) throw FileError(fmt::format("cannot list '{}': {}", folder, error.message()));
+    for (; at != fs::recursive_directory_iterator(); at.increment(error)) {
+        if (error) throw FileError(fmt::format("cannot list '{}': {}", folder, error.message()));
+        const std::string path = at->path().string();
+        if (at->is_regular_file(error) && io::is_writable_image_name(path)) {
+            names.insert(at->path().lexically_relative(folder).string());
+        }
+    }
+    return names;
+}
+
+ReportEntry failed_entry(const std::string& name, const std::string& reason) {
+    ReportEntry entry;
+    entry.name = name;
+    entry.verdict = Verdict::failed;
+    entry.reasons = {reason};
+    return entry;
+}
+
+void add_measures(ReportEntry& entry, const reference::Comparison& c,
+                  const reference::CompareOptions& options) {
+    const auto plain = [&](std::string name, double value) {
+        entry.measures.push_back({std::move(name), fmt::format("{:.4g}", value), "", true});
+    };
+    entry.measures.push_back({fmt::format("Pixels over {:g}", options.fail),
+                              fmt::format("{:.4g} %", c.over * 100),
+                              fmt::format("≤ {:g} %", options.fail_percent), c.pass});
+    plain("Largest difference", c.max);
+    plain("99.9 % of the pixels", c.p999);
+    plain("99 % of the pixels", c.p99);
+    plain("Mean difference", c.mean);
+    plain("RMSE", c.rmse);
+    if (c.rmse > 0) plain("PSNR, dB", c.psnr);
+    if (options.flip) plain("FLIP", c.flip);
+}
+
+}  // namespace
+
+ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
+                       const reference::CompareOptions& options) {
+    ReportEntry entry;
+    entry.name = name;
+    const reference::Comparison comparison = reference::compare_images(a, b, options);
+    entry.verdict = comparison.pass ? Verdict::agrees : Verdict::differs;
+    if (!comparison.pass) entry.reasons.push_back(comparison.reason);
+    entry.left = preview_of(a);
+    entry.right = preview_of(b);
+    if (comparison.comparable) {
+        entry.differences = reference::pixel_differences(a, b);
+        entry.heat = preview_of(reference::heat_map(entry.differences, a.width, false));
+        entry.urgency = comparison.over * 1e3 + comparison.max;
+        add_measures(entry, comparison, options);
+        entry.cells = {
+            fmt::format("{:.3g}", comparison.max), fmt::format("{:.3g}", comparison.mean),
+            fmt::format("{:.3g} %", comparison.over * 100), fmt::format("{:.3g}", comparison.flip)};
+    }
+    return entry;
+}
+
+FolderComparison compare_folders(const std::string& a, const std::string& b,
+                                 const reference::CompareOptions& options,
+                                 const std::function<void(const ReportEntry&)>& on_pair) {
+    const std::set<std::string> names_a = pictures_in(a);
+    const std::set<std::string> names_b = pictures_in(b);
+    std::set<std::string> names = names_a;
+    names.insert(names_b.begin(), names_b.end());
+    if (names.empty()) throw FileError(fmt::format("there is no picture in '{}' or '{}'", a, b));
+
+    FolderComparison result;
+    result.pass = true;
+    result.report.title = fmt::format("{} against {}", a, b);
+    result.report.left_name = a;
+    result.report.right_name = b;
+    result.report.columns = {"Largest", "Mean", fmt::format("Over {:g}", options.fail), "FLIP"};
+    result.report.about = {
+        {"Comparison",
+         fmt::format(
+             "Pictures of the same name, in linear light: 8-bit files are decoded with the sRGB "
+             "curve, 16-bit PNG as it says itself, EXR and HDR are linear. A pixel is over when "
+             "its "
+             "largest channel differs by more than {:g}; a pair differs when more than {:g} % of "
+             "its pixels are.",
+             options.fail, options.fail_percent)}};
+    if (options.fail > 0) result.report.histogram_marks = {options.fail};
+    for (const std::string& name : names) {
+        ReportEntry entry;
+        if (!names_b.contains(name)) {
+            entry = failed_entry(name, fmt::format("only in '{}'", a));
+        } else if (!names_a.contains(name)) {
+            entry = failed_entry(name, fmt::format("only in '{}'", b));
+        } else {
+            try {
+                const Image left = io::read_image((fs::path(a) / name).string());
+                const Image right = io::read_image((fs::path(b) / name).string());
+                entry = pair_entry(name, left, right, options);
+            } catch (const FileError& error) {
+                entry = failed_entry(name, error.what());
+                ++result.unreadable;
+            }
+        }
+        result.pass = result.pass && entry.verdict == Verdict::agrees;
+        if (on_pair) on_pair(entry);
+        result.report.entries.push_back(std::move(entry));
+    }
+    return result;
+}
+
+}  // namespace lancer::judge

@@ -1,0 +1,21 @@
+// Text that may stand in HTML.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace lancer::judge {
+
+/// `text` with & < > " ' as entities: safe in elements and in quoted attributes.
+std::string escaped(std::string_view text);
+
+/// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
+/// A number for people: `digits` significant ones, exponents without padding (2e-5).
+std::string shown(double value, int digits = 3);
+
+/// Letters, digits, `-`: for ids and class names.
+std::string slug(std::string_view text);
+
+}  // namespace lancer::judge

@@ -1,0 +1,41 @@
+// Our side of a validation: the tracer's picture, its probes, and the judge's own recursion.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "judge/explain/probe_function.h"
+#include "model/scene.h"
+#include "reference/pov/export.h"
+#include "tracer/render.h"
+
+namespace lancer::judge {
+
+struct OurPicture {
+    Image image;          ///< linear light, 3 channels, not clamped
+    ProbeFunction probe;  ///< the same picture between the pixels' centres, in the same units
+    /// The same by the judge's own recursion, with what POV-Ray does otherwise by rule done its way
+    /// or, where the rules are not followed, ours; may be empty. Compiles when it is first asked.
+    std::function<ProbeFunction(const PovRayRules& rules)> by_rules;
+    std::uint64_t rays = 0;  ///< of all kinds, that the picture took
+    double seconds = 0;
+};
+
+/// Renders what `view` shows of the scene, one ray through the centre of each pixel. Called from
+/// several threads. Throws SceneError.
+using OurRenderer = std::function<OurPicture(const std::shared_ptr<const Scene>& scene,
+                                             const reference::ExportView& view)>;
+
+/// Lancer's renderer. One thread, for whole scenes run side by side; otherwise the scene's settings
+/// as they stand.
+OurPicture render_ours(const std::shared_ptr<const Scene>& scene,
+                       const reference::ExportView& view);
+
+/// The tracer's view of what the exporter was asked to show.
+View tracer_view(const reference::ExportView& view);
+
+/// What our tracer needs to follow POV-Ray's rules in an exported file.
+PovRayRules rules_of(const reference::ExportResult& exported);
+
+}  // namespace lancer::judge

@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "judge/report/html.h"
+#include "judge/validate/validation_text.h"
+#include "reference/compare/heat_map.h"
+
+namespace lancer::judge {
+
+namespace {
+
+std::string percent(double share) {
+    return fmt::format("{:.6g} %", share * 100);
+}
+
+void add_measures(ReportEntry& entry, const Validation& v) {
+    const Judgement& j = v.judgement;
+    const Thresholds& t = v.thresholds;
+    const std::size_t unexplained = j.count(PixelClass::unexplained);
+    const auto add = [&](std::string name, std::string achieved, std::string threshold, bool ok) {
+        entry.measures.push_back({std::move(name), std::move(achieved), std::move(threshold), ok});
+    };
+    add(fmt::format("Unexplained, over {}", shown(t.interior)), std::to_string(unexplained),
+        fmt::format("≤ {}", t.unexplained), unexplained <= t.unexplained);
+    add(fmt::format("Away from edges, within {}", shown(t.tight)), percent(j.tight_share),
+        "≥ " + percent(t.tight_share), j.tight_share >= t.tight_share);
+    const double edges = static_cast<double>(std::max<std::size_t>(1, j.edge_pixels));
+    const auto share_of_edges = [&](std::size_t n) {
+        return fmt::format("{} of {}", n, j.edge_pixels);
+    };
+    const auto within = [&](std::size_t n, double share) {
+        return n <= 1 || static_cast<double>(n) <= share * edges;
+    };
+    add("Explained, of the edge pixels", share_of_edges(j.explained),
+        "≤ " + percent(t.explained_share), within(j.explained, t.explained_share));
+    add(fmt::format("… by an edge off by {} pixel", shown(t.rounding)), share_of_edges(j.displaced),
+        "≤ " + percent(t.displaced_share), within(j.displaced, t.displaced_share));
+    add("Known differences, shown by POV-Ray's rule", std::to_string(j.count(PixelClass::known)),
+        "", true);
+    add("Outliers, which POV-Ray's own picture denies",
+        fmt::format("{} of {}", j.count(PixelClass::outlier), j.pixels),
+        "≤ " + percent(t.outlier_share), true);
+    if (j.picture_shift.count > 0) {
+        add("Shift of the picture, pixels",
+            fmt::format("{} ± {}", shown(j.picture_shift.length(), 2),
+                        shown(std::max(j.picture_shift.error_x, j.picture_shift.error_y), 1)),
+            "≤ " + shown(t.shift), !j.picture_shift.is_significant(t.shift, 5));
+    }
+    if (j.edge_shift.count > 1) {
+        add("Mean offset of these edges, pixels", shown(j.edge_shift.length(), 2),
+            fmt::format("≤ {} or 3 σ", shown(t.rounding)),
+            !j.edge_shift.is_significant(t.rounding, 3));
+    }
+    const auto plain = [&](std::string name, double value) {
+        add(std::move(name), shown(value), "", true);
+    };
+    plain("Largest away from edges", j.interior_max);
+    plain("99.9 % away from edges", j.interior_p999);
+    plain("Largest anywhere", v.comparison.max);
+    plain("Mean difference", v.comparison.mean);
+    plain("RMSE", v.comparison.rmse);
+    plain("FLIP", v.comparison.flip);
+}
+
+/// The rules that the scene can meet.
+std::string rule_names(const std::vector<reference::KnownDifference>& known) {
+    std::vector<std::string> names;
+    for (const reference::KnownDifference& k : known) names.push_back(reference::rule_name(k.rule));
+    return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
+}
+
+void add_markers(ReportEntry& entry, const Validation& v) {
+    for (const DifferentPixel& p : v.judgement.different) {
+        const std::string kind = class_name(p.pixel_class);
+        std::string text = fmt::format(
+            "({}, {}) {}: differs by {:.3g}; ours {:.6f} {:.6f} {:.6f}, theirs {:.6f} {:.6f} "
+            "{:.6f}",
+            p.x, p.y, kind, p.difference, p.ours.x, p.ours.y, p.ours.z, p.theirs.x, p.theirs.y,
+            p.theirs.z);
+        if (p.offset.x != 0 || p.offset.y != 0) {
+            text += fmt::format("; edge at ({:.2g}, {:.2g}) pixel from the centre", p.offset.x,
+                                p.offset.y);
+        }
+        if (p.pixel_class == PixelClass::outlier) text += "; POV-Ray has our value around it";
+        if (p.pixel_class == PixelClass::known)
+            text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
+        entry.markers.push_back({p.x, p.y, kind, std::move(text)});
+    }
+    std::stable_sort(entry.markers.begin(), entry.markers.end(),
+                     [](const Marker& a, const Marker& b) {
+                         return (a.kind == "unexplained") > (b.kind == "unexplained");
+                     });
+}
+
+void add_notes(ReportEntry& entry, const Validation& v) {
+    for (const reference::KnownDifference& known : v.known_differences) {
+        entry.notes.push_back(
+            {"POV-Ray does otherwise: " + reference::rule_name(known.rule), known.explanation});
+    }
+    for (const std::string& approximation : v.approximations) {
+        entry.notes.push_back({"Approximated", approximation});
+    }
+    for (const std::string& expectation : v.expectations) {
+        entry.notes.push_back({"Expected of this scene", expectation});
+    }
+    const std::string size = fmt::format("{}x{}", v.view.width, v.view.height);
+    entry.evidence.push_back(
+        {"To repeat this",
+         fmt::format("lancer render {0} --size {1} --samples 1 --min-contribution 0 -o ours.exr\n"
+                     "lancer export {0} --size {1} -o {2}.pov\n{3}\n"
+                     "lancer compare ours.exr {2}.png --fail {4:g} -o difference.png",
+                     v.path, size, v.name,
+                     v.pov_command.empty() ? std::string("povray …") : v.pov_command,
+                     v.thresholds.interior)});
+    std::string facts = fmt::format("picture {} pixels\nPOV-Ray {}\n", size, v.pov_version);
+    if (v.pov_seconds > 0) {
+        facts += fmt::format("POV-Ray took {:.2f} s{}\n", v.pov_seconds,
+                             v.from_cache ? ", when the picture was made; it was kept since" : "");
+    }
+    facts += fmt::format(
+        "lengths in the export: {:g} times those of the scene\n"
+        "light in both pictures: {:g} times that of the scene, so that nothing passes 1",
+        v.factor, v.exposure);
+    entry.evidence.push_back({"Circumstances", std::move(facts)});
+}
+
+}  // namespace
+
+ReportEntry report_entry(const Validation& v) {
+    ReportEntry entry;
+    entry.name = v.name;
+    entry.verdict = v.verdict;
+    entry.reasons = v.reasons;
+    entry.left = preview_of(v.ours);
+    entry.right = preview_of(v.theirs);
+    entry.left_seconds = v.our_seconds;
+    entry.right_seconds = v.pov_seconds;
+    if (v.comparison.comparable) {
+        entry.differences = reference::pixel_differences(v.ours, v.theirs);
+        entry.heat = preview_of(reference::heat_map(entry.differences, v.ours.width, false));
+        add_measures(entry, v);
+        add_markers(entry, v);
+        const auto seconds = [](double value) { return fmt::format("{:.2f} s", value); };
+        entry.cells = {
+            shown(v.judgement.interior_max, 2),
+            fmt::format("{:.3f} %", v.judgement.tight_share * 100),
+            std::to_string(v.judgement.explained + v.judgement.count(PixelClass::outlier)),
+            std::to_string(v.judgement.count(PixelClass::known)),
+            std::to_string(v.judgement.count(PixelClass::unexplained)),
+            seconds(v.our_seconds),
+            seconds(v.pov_seconds)};
+        entry.urgency = static_cast<double>(v.judgement.count(PixelClass::unexplained)) +
+                        v.judgement.interior_max;
+    }
+    add_notes(entry, v);
+    return entry;
+}
+
+Report validation_report(const reference::PovRay& povray, const std::string& lancer_version) {
+    Report report;
+    report.title = "Lancer against POV-Ray";
+    report.left_name = "Lancer";
+    report.right_name = "POV-Ray";
+    const Thresholds defaults;
+    report.columns = {"Largest off edges",
+                      "Within " + shown(defaults.tight),
+                      "Explained",
+                      "Known",
+                      "Unexplained",
+                      "Lancer",
+                      "POV-Ray"};
+    report.histogram_marks = {defaults.tight, defaults.interior};
+    report.about = {
+        {"Programs",
+         fmt::format("Lancer {}, in double precision; POV-Ray {}, an independent program "
+                     "that gets each scene in its own language and renders it with its own "
+                     "primitives.",
+                     lancer_version, povray.version)},
+        {"Lancer's picture",
+         "One ray through the centre of each pixel, no branch left out. Linear light in 64-bit "
+         "numbers, "
+         "clipped to 0..1; never rounded before the comparison."},
+        {"POV-Ray's picture",
+         "One ray through the centre of each pixel (-A), adc_bailout 0, assumed_gamma 1.0, "
+         "File_Gamma=1.0: a 16-bit PNG whose numbers are linear light, read as they stand and "
+         "divided by "
+         "65535. Half a step is 7.6e-6."},
+        {"Judgement",
+         fmt::format(
+             "A pixel whose largest channel differs by more than {} must be explained: an edge of "
+             "geometry, shadow or texture must pass its centre within {:g} pixel, and beyond it "
+             "our own picture must take POV-Ray's value; or POV-Ray does otherwise by a rule: then "
+             "a second recursion must give POV-Ray's value by its rules, and ours without them; or "
+             "POV-Ray must deny its own value by what it shows to both sides of the pixel's "
+             "centre. Explaining is bounded: at most {:g} % of the edge pixels, at most {:g} % by "
+             "edges that are off by more than {} pixel, at most {:g} % of all pixels by denials, "
+             "no shift between the pictures, no common direction of the offsets. Everything else "
+             "is unexplained, and fails. Of the pixels away from edges {:g} % must agree within "
+             "{}.",
+             shown(defaults.interior), defaults.radius, defaults.explained_share * 100,
+             defaults.displaced_share * 100, shown(defaults.rounding), defaults.outlier_share * 100,
+             defaults.tight_share * 100, shown(defaults.tight))},
+    };
+    return report;
+}
+
+}  // namespace lancer::judge

@@ -1,0 +1,100 @@
+#include "judge/validate/validation_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "judge/report/entry_html.h"
+
+namespace lancer::judge {
+
+std::string table_head(std::size_t name_width) {
+    return fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>9} {:>11} {:>6} {:>7} {:>9}\n", "scene",
+                       name_width, "verdict", "interior", "within", "explained", "unexplained",
+                       "known", "ours", "POV-Ray");
+}
+
+std::string table_row(const Validation& v, std::size_t name_width) {
+    std::string row = fmt::format("{:<{}}  {:<8}", v.name, name_width, verdict_name(v.verdict));
+    if (v.comparison.comparable) {
+        const Judgement& j = v.judgement;
+        row += fmt::format(" {:>9.2g} {:>7.3f} % {:>9} {:>11} {:>6}", j.interior_max,
+                           j.tight_share * 100, j.explained + j.count(PixelClass::outlier),
+                           j.count(PixelClass::unexplained), j.count(PixelClass::known));
+        row += fmt::format(" {:>5.2f} s {:>7.2f} s{}", v.our_seconds, v.pov_seconds,
+                           v.from_cache ? " (kept)" : "");
+    }
+    row += '\n';
+    for (const std::string& reason : v.reasons) row += "    " + reason + "\n";
+    return row;
+}
+
+namespace {
+
+nlohmann::ordered_json shift_json(const Shift& shift) {
+    return {{"x", shift.x},
+            {"y", shift.y},
+            {"error_x", shift.error_x},
+            {"error_y", shift.error_y},
+            {"count", shift.count}};
+}
+
+nlohmann::ordered_json scene_json(const Validation& v) {
+    nlohmann::ordered_json json;
+    json["name"] = v.name;
+    json["path"] = v.path;
+    json["verdict"] = verdict_name(v.verdict);
+    json["reasons"] = v.reasons;
+    if (!v.comparison.comparable) return json;
+    const Judgement& j = v.judgement;
+    json["pixels"] = j.pixels;
+    json["edge_pixels"] = j.edge_pixels;
+    json["interior_max"] = j.interior_max;
+    json["interior_p999"] = j.interior_p999;
+    json["tight_share"] = j.tight_share;
+    json["unexplained"] = j.count(PixelClass::unexplained);
+    json["explained"] = {{"total", j.explained},
+                         {"silhouette", j.count(PixelClass::silhouette)},
+                         {"shadow", j.count(PixelClass::shadow)},
+                         {"texture", j.count(PixelClass::texture)},
+                         {"reflected_edge", j.count(PixelClass::secondary)},
+                         {"steep", j.count(PixelClass::steep)},
+                         {"displaced", j.displaced}};
+    json["outliers"] = j.count(PixelClass::outlier);
+    json["known"] = j.count(PixelClass::known);
+    json["not_looked_at"] = j.not_looked_at;
+    json["explaining_rays"] = j.rays;
+    json["edge_shift"] = shift_json(j.edge_shift);
+    json["picture_shift"] = shift_json(j.picture_shift);
+    json["mean"] = v.comparison.mean;
+    json["rmse"] = v.comparison.rmse;
+    json["max"] = v.comparison.max;
+    json["max_at"] = {v.comparison.max_x, v.comparison.max_y};
+    json["p99"] = v.comparison.p99;
+    json["p999"] = v.comparison.p999;
+    json["flip"] = v.comparison.flip;
+    json["exposure"] = v.exposure;
+    json["factor"] = v.factor;
+    json["seconds"] = {{"lancer", v.our_seconds}, {"povray", v.pov_seconds}};
+    json["from_cache"] = v.from_cache;
+    return json;
+}
+
+}  // namespace
+
+std::string validations_to_json(const std::vector<Validation>& validations,
+                                const reference::PovRay& povray) {
+    nlohmann::ordered_json json;
+    bool pass = true;
+    for (const Validation& v : validations) {
+        pass = pass && (v.verdict == Verdict::agrees || v.verdict == Verdict::refused);
+    }
+    json["verdict"] = pass ? "pass" : "fail";
+    json["povray"] = povray.version;
+    json["scenes"] = nlohmann::ordered_json::array();
+    for (const Validation& v : validations) json["scenes"].push_back(scene_json(v));
+    // Messages of other programs may hold any bytes.
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lancer::judge

@@ -1,0 +1,27 @@
+// Validations for the terminal, for programs and for the report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "judge/report/report.h"
+#include "judge/validate/validate.h"
+
+namespace lancer::judge {
+
+/// The head of the table, and a line of it. `name_width` is the length of the longest name.
+std::string table_head(std::size_t name_width);
+std::string table_row(const Validation& validation, std::size_t name_width);
+
+/// {"povray", "verdict", "scenes": [{"name", "verdict", "reasons", "interior_max", ...}]}. Numbers
+/// that were not measured are left out. Ends with a line feed.
+std::string validations_to_json(const std::vector<Validation>& validations,
+                                const reference::PovRay& povray);
+
+/// The report's entry.
+ReportEntry report_entry(const Validation& validation);
+
+/// The report around the entries.
+Report validation_report(const reference::PovRay& povray, const std::string& lancer_version);
+
+}  // namespace lancer::judge

@@ -1,0 +1,167 @@
+#include "reference/pov/export_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lancer::reference::pov {
+
+void Bounds::add(const Vec3d& p) {
+    if (empty) {
+        low = high = p;
+        empty = false;
+        return;
+    }
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
+void Bounds::add(const Bounds& other) {
+    if (other.empty) return;
+    add(other.low);
+    add(other.high);
+}
+
+bool Bounds::overlaps(const Bounds& other) const {
+    return !empty && !other.empty && low.x <= other.high.x && other.low.x <= high.x &&
+           low.y <= other.high.y && other.low.y <= high.y && low.z <= other.high.z &&
+           other.low.z <= high.z;
+}
+
+Bounds moved(const Affine<double>& map, const Bounds& bounds) {
+    Bounds out;
+    for (int corner = 0; corner < 8 && !bounds.empty; ++corner)
+        out.add(map_point(map, Vec3d(corner & 1 ? bounds.high.x : bounds.low.x,
+                                     corner & 2 ? bounds.high.y : bounds.low.y,
+                                     corner & 4 ? bounds.high.z : bounds.low.z)));
+    return out;
+}
+
+namespace {
+
+// The box of a disc or ball of radius r is at most that of the ball: enough to judge sizes.
+void add_ball(Bounds& bounds, const Vec3d& center, double radius) {
+    bounds.add(center - Vec3d(radius));
+    bounds.add(center + Vec3d(radius));
+}
+
+struct OwnBounds {
+    const Scene& scene;
+    Bounds operator()(const Sphere& s) const {
+        Bounds b;
+        add_ball(b, s.center, s.radius);
+        return b;
+    }
+    Bounds operator()(const Box& s) const {
+        Bounds b;
+        b.add(s.min);
+        b.add(s.max);
+        return b;
+    }
+    Bounds operator()(const Cylinder& s) const {
+        Bounds b;
+        add_ball(b, s.base, s.radius);
+        add_ball(b, s.top, s.radius);
+        return b;
+    }
+    Bounds operator()(const Cone& s) const {
+        Bounds b;
+        add_ball(b, s.base, s.base_radius);
+        add_ball(b, s.top, s.top_radius);
+        return b;
+    }
+    Bounds operator()(const Plane&) const { return {}; }
+    Bounds operator()(const Triangle& s) const {
+        Bounds b;
+        for (const Vec3d& p : s.points) b.add(p);
+        return b;
+    }
+    Bounds operator()(const MeshRef& s) const {
+        Bounds b;
+        const Mesh& mesh = *scene.meshes[s.mesh];
+        for (const Mesh::Corners& face : mesh.faces)
+            for (const std::uint32_t corner : face) b.add(mesh.vertices[corner]);
+        return b;
+    }
+    Bounds operator()(const PatchRef& s) const {
+        Bounds b;
+        for (const Vec3d& p : scene.patches[s.patch].control) b.add(p);
+        return b;
+    }
+    Bounds operator()(const LatheRef& s) const {
+        Bounds b;
+        for (const Vec2d& p : scene.lathes[s.lathe].profile) {
+            const double r = std::abs(p.x);
+            b.add(Vec3d(-r, p.y, -r));
+            b.add(Vec3d(r, p.y, r));
+        }
+        return b;
+    }
+    Bounds operator()(const PrismRef& s) const {
+        Bounds b;
+        const Prism& prism = scene.prisms[s.prism];
+        for (const Vec2d& p : prism.outline) {
+            b.add(Vec3d(p.x, prism.bottom, p.y));
+            b.add(Vec3d(p.x, prism.top, p.y));
+        }
+        return b;
+    }
+};
+
+/// floor(log10(x)), for finite x > 0.
+int decade(double x) {
+    int n = 0;
+    for (; x >= 10; x /= 10) ++n;
+    for (; x < 1; x *= 10) --n;
+    return n;
+}
+
+}  // namespace
+
+std::optional<Bounds> shape_bounds(const Scene& scene, const Shape& shape) {
+    const Bounds bounds = std::visit(OwnBounds{scene}, shape);
+    if (bounds.empty) return std::nullopt;
+    return bounds;
+}
+
+PowerOfTen export_scale(const Scene& scene, const ExportView& view, bool keep) {
+    const Camera& camera = scene.cameras[view.camera];
+    Bounds all;
+    all.add(camera.position);
+    std::vector<double> sizes;
+    for (const Object& object : scene.objects) {
+        const std::optional<Bounds> own = shape_bounds(scene, object.shape);
+        if (!own) continue;
+        const Bounds world = moved(scene.transforms[object.transform], *own);
+        all.add(world);
+        sizes.push_back(world.diagonal());
+    }
+    double typical = length(camera.look_at - camera.position);
+    if (sizes.empty()) all.add(camera.look_at);
+    if (!sizes.empty()) {
+        const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+        std::nth_element(sizes.begin(), middle, sizes.end());
+        typical = *middle;
+    }
+    if (!(typical > 0) || !std::isfinite(typical)) return {};
+    if (keep && typical >= 0.05 && typical <= 500 && all.diagonal() <= 1e6) return {};
+    const int least = -decade(typical);
+    if (!(all.diagonal() > 0) || !std::isfinite(all.diagonal())) return {least};
+    return {std::max(least, std::min(2 + least, 4 - decade(all.diagonal())))};
+}
+
+ObjectSpace object_space(const Affine<double>& to_world, PowerOfTen scale) {
+    if (to_world == Affine<double>{}) return {scale, {}};
+    ObjectSpace space{scale, to_world};
+    // The volume tells how much larger the object is in the world than in its own space.
+    const double volume = std::abs(determinant(to_world));
+    if (volume > 0 && std::isfinite(volume)) {
+        const int decades = decade(elementary::cbrt(volume) * 2);
+        if (decades < -1 || decades > 1) space.own.exponent += decades;
+    }
+    const PowerOfTen rest{scale.exponent - space.own.exponent};
+    for (Vec3d& row : space.to_picture.rows) row = rest(row);
+    space.to_picture.shift = scale(to_world.shift);
+    return space;
+}
+
+}  // namespace lancer::reference::pov
