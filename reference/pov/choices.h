@@ -53,6 +53,11 @@ inline constexpr std::size_t lathe_pieces = 4;
 /// The most levels that POV-Ray follows: it takes more for as many.
 inline constexpr int most_levels = 256;
 
+/// A mesh of more faces is written in pieces of some edges' length: of a knot of 50,000 triangles
+/// at 1024 x 1024 none of ten wrong pixels is left with up to 8.
+inline constexpr std::size_t most_faces_of_a_piece = 1000;
+inline constexpr double edges_of_a_piece = 4;
+
 /// Meshes are moved by whole steps of about their size; any near it will do.
 inline double step_for(double size) {
     return size > 0 ? std::ldexp(1.0, std::ilogb(size) + 1) : 1;

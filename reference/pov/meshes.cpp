@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "model/bodies.h"
 #include "reference/pov/choices.h"
@@ -106,8 +108,71 @@ Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
     return out;
 }
 
-MeshKey mesh_key(const MeshRef& shape, bool smooth, PowerOfTen own) {
-    return {shape.mesh, own.exponent, smooth};
+double mean_edge(const Mesh& mesh) {
+    double sum = 0;
+    for (const Mesh::Corners& face : mesh.faces)
+        for (std::size_t i = 0; i < 3; ++i)
+            sum += length(mesh.vertices[face[i]] - mesh.vertices[face[(i + 1) % 3]]);
+    return sum / (3 * static_cast<double>(mesh.faces.size()));
+}
+
+/// The faces, sorted into cubes of some edges' length.
+std::vector<Mesh> pieces_of(const Mesh& mesh) {
+    const double cell = step_for(mean_edge(mesh) * edges_of_a_piece);
+    std::map<std::array<double, 3>, std::vector<std::size_t>> cells;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const Mesh::Corners& face = mesh.faces[f];
+        const Vec3d middle =
+            (mesh.vertices[face[0]] + mesh.vertices[face[1]] + mesh.vertices[face[2]]) / 3.0;
+        cells[{std::round(middle.x / cell), std::round(middle.y / cell),
+               std::round(middle.z / cell)}]
+            .push_back(f);
+    }
+    std::vector<Mesh> pieces;
+    // Those that a mesh without normals has come from all its faces.
+    const std::vector<Vec3d> normals = mesh.normals.empty() ? vertex_normals(mesh) : mesh.normals;
+    const auto& normal_faces =
+        mesh.normals.empty() || mesh.normal_faces.empty() ? mesh.faces : mesh.normal_faces;
+    for (const auto& [place, faces] : cells) {
+        Mesh piece;
+        std::map<std::uint32_t, std::uint32_t> vertices;
+        std::map<std::uint32_t, std::uint32_t> kept_normals;
+        const auto index_in = [](auto& indices, std::uint32_t old, const auto& from, auto& to) {
+            const auto [at, is_new] =
+                indices.try_emplace(old, static_cast<std::uint32_t>(to.size()));
+            if (is_new) to.push_back(from[old]);
+            return at->second;
+        };
+        for (const std::size_t f : faces) {
+            Mesh::Corners corners{};
+            Mesh::Corners of_normals{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                corners[i] = index_in(vertices, mesh.faces[f][i], mesh.vertices, piece.vertices);
+                const std::uint32_t normal = normal_faces[f][i];
+                of_normals[i] =
+                    normal == none ? none : index_in(kept_normals, normal, normals, piece.normals);
+            }
+            piece.faces.push_back(corners);
+            piece.normal_faces.push_back(of_normals);
+        }
+        // Without a list POV-Ray would get normals made of the piece's own faces.
+        if (piece.normals.empty()) piece.normals.emplace_back(0.0);
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
+
+/// POV-Ray keeps a triangle's plane in single precision: of a large mesh of small triangles a
+/// shadow ray that grazes one meets it again further off than POV-Ray drops hits. In pieces, each
+/// near its own origin, it does not. Pieces have no inside, so what light enters is one.
+bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) {
+    return mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh) &&
+           !lets_light_pass(writer.scene, writer.scene.materials[object.material]);
+}
+
+MeshKey mesh_key(const Writer& writer, const Object& object, const MeshRef& shape, PowerOfTen own) {
+    return {shape.mesh, own.exponent, shape.smooth && writer.scene.settings.smooth,
+            is_in_pieces(writer, object, *writer.scene.meshes[shape.mesh])};
 }
 
 }  // namespace
@@ -123,20 +188,27 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     const auto* shape = std::get_if<MeshRef>(&object.shape);
     if (!shape) return;
     const Mesh& mesh = *writer.scene.meshes[shape->mesh];
-    const bool smooth = shape->smooth && writer.scene.settings.smooth;
-    const MeshKey key = mesh_key(*shape, smooth, own);
+    const MeshKey key = mesh_key(writer, object, *shape, own);
     if (writer.mesh_names.contains(key)) return;
+    const bool smooth = std::get<2>(key);
+    const bool in_pieces = std::get<3>(key);
     const std::string name = fmt::format("Mesh{}", writer.mesh_names.size());
-    writer.text.open(fmt::format("#declare {} = mesh2 {{  // {} vertices, {} faces", name,
-                                 mesh.vertices.size(), mesh.faces.size()));
-    convert(mesh, smooth, own).write(writer.text, is_closed(mesh));
+    writer.text.open(fmt::format("#declare {} = {} {{  // {} vertices, {} faces", name,
+                                 in_pieces ? "union" : "mesh2", mesh.vertices.size(),
+                                 mesh.faces.size()));
+    if (!in_pieces) convert(mesh, smooth, own).write(writer.text, is_closed(mesh));
+    if (in_pieces)
+        for (const Mesh& piece : pieces_of(mesh)) {
+            writer.text.open("mesh2 {");
+            convert(piece, smooth, own).write(writer.text, false);
+            writer.text.close();
+        }
     writer.text.close();
     writer.mesh_names.emplace(key, name);
 }
 
-bool open_mesh(Writer& writer, const Object&, const MeshRef& shape, PowerOfTen own) {
-    const bool smooth = shape.smooth && writer.scene.settings.smooth;
-    writer.text.open("object { " + writer.mesh_names.at(mesh_key(shape, smooth, own)));
+bool open_mesh(Writer& writer, const Object& object, const MeshRef& shape, PowerOfTen own) {
+    writer.text.open("object { " + writer.mesh_names.at(mesh_key(writer, object, shape, own)));
     return true;
 }
 

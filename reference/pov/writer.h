@@ -13,7 +13,8 @@ namespace lancer::reference::pov {
 
 using TextureKey =
     std::pair<std::uint32_t, int>;  ///< material; size against the scene's, in decades
-using MeshKey = std::tuple<std::uint32_t, int, bool>;  ///< mesh, space, whether smooth
+using MeshKey =
+    std::tuple<std::uint32_t, int, bool, bool>;  ///< mesh, space, whether smooth, whether in pieces
 
 struct Writer {
     const Scene& scene;

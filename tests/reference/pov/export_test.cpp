@@ -325,5 +325,47 @@ TEST(Export, LeavesOutTexturesThatAreSwitchedOff) {
     EXPECT_THAT(result.text, Not(HasSubstr("image_map")));
 }
 
+/// A flat sheet of n x n x 2 triangles.
+std::shared_ptr<const Mesh> sheet(std::uint32_t n) {
+    const auto mesh = std::make_shared<Mesh>();
+    for (std::uint32_t j = 0; j <= n; ++j)
+        for (std::uint32_t i = 0; i <= n; ++i) mesh->vertices.emplace_back(i, 0, j);
+    for (std::uint32_t j = 0; j < n; ++j) {
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t a = j * (n + 1) + i;
+            mesh->faces.push_back({a, a + 1, a + n + 2});
+            mesh->faces.push_back({a, a + n + 2, a + n + 1});
+        }
+    }
+    return mesh;
+}
+
+TEST(ExportMeshes, AFineMeshIsWrittenInPiecesUnlessLightPassesIt) {
+    const auto pieces = [](std::uint32_t n, double transmission, bool smooth) {
+        Scene scene = empty_scene();
+        scene.meshes.push_back(sheet(n));
+        Material material;
+        material.transmission = transmission;
+        add_object(scene, MeshRef{0, smooth}, add_material(scene, material));
+        const std::string text = export_pov(scene, {0, 64, 48}).text;
+        std::size_t count = 0;
+        for (std::size_t at = text.find("mesh2 {"); at != std::string::npos;
+             at = text.find("mesh2 {", at + 1))
+            ++count;
+        // Every face is there once.
+        std::size_t faces = 0;
+        for (std::size_t at = text.find("face_indices { "); at != std::string::npos;
+             at = text.find("face_indices { ", at + 1))
+            faces += std::stoul(text.substr(at + 15));
+        EXPECT_EQ(faces, 2u * n * n);
+        EXPECT_EQ(text.find("normal_vectors") != std::string::npos, smooth);
+        return count;
+    };
+    EXPECT_EQ(pieces(22, 0, true), 1u) << "968 faces";
+    EXPECT_GT(pieces(23, 0, true), 4u) << "1,058";
+    EXPECT_GT(pieces(23, 0, false), 4u);
+    EXPECT_EQ(pieces(23, 0.5, true), 1u) << "pieces have no inside";
+}
+
 }  // namespace
 }  // namespace lancer::reference
