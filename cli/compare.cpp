@@ -11,6 +11,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/output_names.h"
+#include "cli/picture_options.h"
 #include "judge/report/entry_html.h"
 #include "judge/report/folders.h"
 #include "model/io/file.h"
@@ -113,6 +114,7 @@ void add_compare(CLI::App& app, Action& action) {
         ->type_name("FILE");
     command.add_option("--report", job->report, "Two folders: write DIR/index.html, to look at")
         ->type_name("DIR");
+    add_picture_options(command);
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
     command.callback([&action, job] { action = [job](Session&) { return compare(*job); }; });
 }

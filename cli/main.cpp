@@ -1,11 +1,17 @@
 // The command line. Everything that can go wrong ends here, as a message and an exit code.
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <new>
+#include <string_view>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/session.h"
+#include "model/io/picture_messages.h"
+#include "model/io/picture_process.h"
+#include "model/io/picture_server.h"
 #include "parser/suggest.h"
 
 namespace lancer::cli {
@@ -82,6 +88,10 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
 int main(int argc, char** argv) {
     using namespace lancer;
     using namespace lancer::cli;
+    // This program starts itself to work on pictures; nobody else has a use for that.
+    const bool asked_to_serve = argc == 2 && std::string_view(argv[1]) == io::picture_server_word;
+    if (asked_to_serve && io::serve_pictures(STDIN_FILENO)) std::_Exit(0);
+    io::set_picture_program("/proc/self/exe");
     end_on_interrupt();
     Session session;
     const auto ended = [&session](ExitCode code, const std::string& message) {

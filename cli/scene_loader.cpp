@@ -7,6 +7,7 @@
 
 #include "cli/arguments.h"
 #include "cli/deep_stack.h"
+#include "cli/picture_options.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
 
@@ -74,6 +75,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
               "Bytes of all source files");
     add_limit(app, "list-elements", limits.list_elements, most, "List elements ever made");
     add_limit(app, "objects", limits.objects, 4'000'000'000, "Objects of the scene");
+    add_picture_options(app);
 }
 
 SceneLoader::SceneLoader(const std::string& path, const SceneOptions& options, Session& session)

@@ -5,7 +5,7 @@
 packages_to_build=(
     cmake ninja-build g++
     libglm-dev tao-pegtl-dev libfmt-dev libpng-dev libsleef-dev
-    libopenimageio-dev openimageio-tools libtinyobjloader-dev
+    libopenimageio-dev openimageio-tools libtiff-dev libjpeg-dev libseccomp-dev libtinyobjloader-dev
     nlohmann-json3-dev libcli11-dev libboost-dev
 )
 packages_to_test=(

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/io/file.h"
+#include "model/io/texture_file.h"
 #include "parser/evaluator.h"
 #include "parser/program.h"
 #include "parser/syntax.h"
@@ -15,10 +16,11 @@ Script& Script::operator=(Script&&) noexcept = default;
 Script::~Script() = default;
 
 Loader disk_loader() {
-    return {
-        [](const std::string& path, std::size_t limit) { return io::read_file(path, limit); },
-        [](const std::string& path) { return io::read_mesh(path); },
-        [](const std::string& path, io::ColorSpace space) { return io::read_image(path, space); }};
+    return {[](const std::string& path, std::size_t limit) { return io::read_file(path, limit); },
+            [](const std::string& path) { return io::read_mesh(path); },
+            [](const std::string& path, io::ColorSpace space) {
+                return io::read_texture(path, space);
+            }};
 }
 
 std::uint32_t add_source(SourceMap& sources, std::string name, std::string text) {

@@ -1,32 +1,28 @@
 // The seam to the shared library that knows the many image formats.
 //
 // Debian's OpenImageIO pulls in 261 shared libraries, 0.3 s and 129 MB merely to be linked, so it
-// sits in a module of its own (image_module.cpp), loaded by image_module_loader.cpp when a picture
-// in another format than PNG or PPM asks for it.
+// sits in a module of its own (module/), which the picture process loads at its first picture.
 #pragma once
 
 #include <string>
+#include <string_view>
 
-#include "model/image.h"
+#include "model/io/stored_image.h"
 
 namespace lancer::io {
 
-/// Pixels as a file stores them.
-struct StoredImage {
-    Image image;   ///< data: the steps 0..2^bits - 1, or the numbers themselves when bits is 32
-    int bits = 8;  ///< 8 or 16: whole numbers, encoded; 32: floating point, linear
-    bool premultiplied = false;  ///< alpha is multiplied into the colours
-};
-
-/// Both return why they failed, empty when they did not: exceptions stay on their side of the seam.
-/// `format` is OpenImageIO's name: openexr, hdr, tiff or jpeg.
+/// read and write return why they failed, empty when they did not: exceptions other than those of
+/// the sink and of memory stay on their side of the seam. `format` is openexr, hdr, tiff or jpeg.
 struct ImageModule {
-    std::string (*read)(const std::string& path, const std::string& format, StoredImage& result);
-    std::string (*write)(const std::string& path, const std::string& format,
-                         const StoredImage& stored);
+    std::string (*read)(std::string_view bytes, const std::string& format, PictureSink& sink);
+    std::string (*write)(const StoredShape& shape, const void* pixels, const std::string& format,
+                         PictureSink& sink);
+    /// From now on this process, with the threads that it may yet start, opens no file and no
+    /// connection and starts no process, as far as the system can see to that.
+    void (*confine)();
 };
 
-/// Loads the module at the first call; any thread. Throws FileError when it is missing.
+/// Loads the module at the first call. Throws FileError when it is missing.
 const ImageModule& image_module();
 
 }  // namespace lancer::io

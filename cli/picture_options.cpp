@@ -1,0 +1,38 @@
+#include "cli/picture_options.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+#include "cli/arguments.h"
+#include "cli/session.h"
+#include "model/io/picture_process.h"
+
+namespace lancer::cli {
+
+void add_picture_options(CLI::App& app) {
+    const auto limits = std::make_shared<io::PictureLimits>();
+    const auto add = [&](const std::string& name, std::uint64_t io::PictureLimits::*member,
+                         std::int64_t most, const std::string& what) {
+        app.add_option_function<std::string>(
+               name,
+               [limits, name, member, most](const std::string& text) {
+                   const std::int64_t value = parse_whole_number(text);
+                   if (value < 1 || value > most)
+                       throw UsageError(fmt::format("{} must lie between 1 and {}", name, most));
+                   (*limits).*member = static_cast<std::uint64_t>(value);
+                   io::set_picture_limits(*limits);
+               },
+               fmt::format("{} (default {})", what, (*limits).*member))
+            ->type_name("N")
+            ->group("Limits");
+    };
+    add("--limit-picture-memory", &io::PictureLimits::memory, 1 << 20,
+        "MiB for decoding a picture file");
+    add("--limit-picture-seconds", &io::PictureLimits::seconds, 1'000'000,
+        "Processor seconds for a picture file, besides one for each MiB");
+}
+
+}  // namespace lancer::cli

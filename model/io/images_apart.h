@@ -1,0 +1,19 @@
+// Pictures of the formats that only the picture process reads and writes.
+#pragma once
+
+#include <string>
+
+#include "model/image.h"
+#include "model/io/image_file.h"
+
+namespace lancer::io {
+
+/// The picture in the file that is open as `input`. `format` as for work_on_picture(). Throws
+/// FileError, whose message names `path`.
+Image read_apart(const std::string& path, const std::string& format, int input, ColorSpace space);
+
+/// The bytes of a file that shows `image`. Throws FileError, whose message names `path`.
+std::string encode_apart(const Image& image, const std::string& format, const std::string& path,
+                         const ImageWriteOptions& options);
+
+}  // namespace lancer::io

@@ -1,0 +1,19 @@
+// EXR and Radiance files read, and all formats written, by OpenImageIO.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/io/stored_image.h"
+
+namespace lancer::io {
+
+/// What OpenImageIO makes anew for every process, made once for all of them.
+void warm_up_oiio();
+
+/// Both return why they failed, empty when they did not.
+std::string read_with_oiio(std::string_view bytes, const std::string& format, PictureSink& sink);
+std::string write_with_oiio(const StoredShape& shape, const void* pixels, const std::string& format,
+                            PictureSink& sink);
+
+}  // namespace lancer::io
