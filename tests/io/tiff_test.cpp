@@ -269,6 +269,12 @@ TEST_F(Tiff, CutShortIsAnErrorAtEveryByte) {
     }
 }
 
+TEST_F(Tiff, WithItsDirectoryBehindItsEndIsTruncated) {
+    EXPECT_THAT(error(std::string("II*\0\0\x10\0\0abcdefgh", 16)), HasSubstr("truncated"));
+    EXPECT_THAT(error(std::string("MM\0*\0\0\x10\0abcdefgh", 16)), HasSubstr("truncated"));
+    EXPECT_THAT(error(std::string("II*\0", 4)), HasSubstr("truncated"));
+}
+
 TEST_F(Tiff, WithAStripTooShortForItsRowsIsAnError) {
     TiffFile file;
     file.pack_bits = true;

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "model/diagnostic.h"
+#include "model/io/byte_reader.h"
 #include "model/io/image_limits.h"
 #include "model/io/module/tiff_samples.h"
 
@@ -335,6 +336,18 @@ void read_file(TIFF* file, std::size_t file_size, PictureSink& sink) {
     }
 }
 
+/// Of a file that libtiff cannot open: most have their directory, of which it speaks then, at the
+/// end.
+bool ends_before_its_directory(std::string_view bytes) {
+    const auto order = bytes.starts_with("MM") ? std::endian::big : std::endian::little;
+    try {
+        ByteReader header(bytes.substr(std::min<std::size_t>(4, bytes.size())), "", order);
+        return header.read<std::uint32_t>() >= bytes.size();
+    } catch (const FileError&) {
+        return true;
+    }
+}
+
 }  // namespace
 
 std::string read_tiff(std::string_view bytes, PictureSink& sink) {
@@ -349,6 +362,8 @@ std::string read_tiff(std::string_view bytes, PictureSink& sink) {
         TIFFClientOpen("picture", "r", &memory, read_memory, write_nothing, seek_memory,
                        close_nothing, size_of_memory, map_memory, unmap_nothing));
     try {
+        if (file == nullptr && ends_before_its_directory(bytes))
+            throw TiffError("the file is truncated");
         if (file == nullptr) fail("it is no TIFF file");
         read_file(file.get(), bytes.size(), sink);
     } catch (const TiffError& error) {
