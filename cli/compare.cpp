@@ -14,6 +14,7 @@
 #include "cli/picture_options.h"
 #include "judge/report/entry_html.h"
 #include "judge/report/folders.h"
+#include "judge/validate/exposure.h"
 #include "model/io/file.h"
 #include "model/io/image_file.h"
 #include "reference/compare/comparison_text.h"
@@ -27,7 +28,9 @@ struct CompareJob {
     std::string b;
     std::string heat_map;
     std::string json;
+    std::string junit;
     std::string report;
+    std::optional<double> exposure;
     std::optional<double> fail;
     std::optional<double> fail_percent;
     bool quiet = false;
@@ -45,20 +48,36 @@ reference::CompareOptions options_of(const CompareJob& job) {
     return options;
 }
 
+void write_text(const std::string& name, const std::string& text) {
+    if (name == "-")
+        fmt::print("{}", text);
+    else if (!name.empty())
+        io::write_file(name, text);
+}
+
+/// Standard output is for one thing alone.
+bool is_quiet(const CompareJob& job) {
+    return job.quiet || job.json == "-" || job.junit == "-";
+}
+
 ExitCode compare_folders(const CompareJob& job) {
-    if (!job.heat_map.empty() || !job.json.empty())
-        throw UsageError("-o and --json are for two pictures; two folders take --report DIR");
+    if (!job.heat_map.empty() || job.exposure)
+        throw UsageError("-o and --exposure are for two pictures; two folders take --report DIR");
+    if (job.json == "-" && job.junit == "-")
+        throw UsageError("--json and --junit cannot both go to standard output");
     const auto show = [&job](const judge::ReportEntry& entry) {
-        if (job.quiet) return;
+        if (is_quiet(job)) return;
         fmt::print("{}  {}{}{}\n", entry.name, judge::verdict_name(entry.verdict),
                    entry.reasons.empty() ? "" : ": ",
                    entry.reasons.empty() ? "" : entry.reasons.front());
     };
     const judge::FolderComparison result =
         judge::compare_folders(job.a, job.b, options_of(job), show);
+    write_text(job.json, judge::to_json(result, options_of(job)));
+    write_text(job.junit, judge::junit_xml("lancer compare", judge::junit_cases(result)));
     if (!job.report.empty()) {
         judge::write_report(result.report, job.report);
-        if (!job.quiet) fmt::print("wrote {}/index.html\n", job.report);
+        if (!is_quiet(job)) fmt::print("wrote {}/index.html\n", job.report);
     }
     if (result.unreadable > 0) return ExitCode::files;
     return result.pass ? ExitCode::done : ExitCode::differs;
@@ -69,24 +88,23 @@ ExitCode compare(const CompareJob& job) {
     const bool is_folder = std::filesystem::is_directory(job.a, ignored);
     if (is_folder && std::filesystem::is_directory(job.b, ignored)) return compare_folders(job);
     if (!job.report.empty()) throw UsageError("--report takes two folders of pictures");
+    if (!job.junit.empty()) throw UsageError("--junit takes two folders of pictures");
     if (!job.heat_map.empty() && !io::is_writable_image_name(job.heat_map)) {
         throw UsageError(
             fmt::format("'{}' does not end in the name of an image format, as .png", job.heat_map));
     }
     check_spared(job.heat_map, {job.a, job.b});
     check_spared(job.json, {job.a, job.b, job.heat_map});
-    const Image a = io::read_image(job.a);
+    Image a = io::read_image(job.a);
+    if (job.exposure)
+        for (double& value : a.data) value = judge::exposed(value, *job.exposure);
     const Image b = io::read_image(job.b);
     const reference::CompareOptions options = options_of(job);
     const reference::Comparison comparison = reference::compare_images(a, b, options);
     const std::string json = reference::to_json(comparison, options);
-    if (job.json == "-") {
-        fmt::print("{}", json);
-    } else if (!job.json.empty()) {
-        io::write_file(job.json, json);
-    }
+    write_text(job.json, json);
     if (!job.heat_map.empty() && comparison.comparable) write_heat_map(job, a, b);
-    if (!job.quiet && job.json != "-") fmt::print("{}", reference::to_text(comparison, options));
+    if (!is_quiet(job)) fmt::print("{}", reference::to_text(comparison, options));
     return comparison.pass ? ExitCode::done : ExitCode::differs;
 }
 
@@ -112,6 +130,13 @@ void add_compare(CLI::App& app, Action& action) {
         .add_option("--json", job->json,
                     "Write the measures as JSON; - to standard output, in place of the text")
         ->type_name("FILE");
+    command
+        .add_option("--junit", job->junit,
+                    "Two folders: write the results as JUnit XML; - to standard output")
+        ->type_name("FILE");
+    add_number(command, "--exposure", job->exposure, 0, std::numeric_limits<double>::max(),
+               "Multiply A by X and clip it to 0..1 first, as validate does")
+        ->type_name("X");
     command.add_option("--report", job->report, "Two folders: write DIR/index.html, to look at")
         ->type_name("DIR");
     add_picture_options(command);

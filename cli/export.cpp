@@ -21,6 +21,8 @@ struct ExportJob {
     std::string output;
     std::string camera;
     std::optional<PictureSize> size;
+    std::optional<double> exposure;
+    std::optional<double> min_contribution;
     bool keep_lengths = false;
     bool quiet = false;
     SceneOptions scene_options;
@@ -50,13 +52,17 @@ ExitCode export_scene(const ExportJob& job, Session& session) {
         throw UsageError(fmt::format("'{}': the name of a POV-Ray scene ends in .pov", job.output));
 
     SceneLoader loader(job.scene, job.scene_options, session);
-    const Scene scene = loader.load();
+    Scene scene = loader.load();
+    if (job.min_contribution) scene.settings.min_contribution = *job.min_contribution;
     reference::ExportView view;
     view.camera = static_cast<std::uint32_t>(pick_camera(scene, job.camera, session));
     view.width = job.size ? job.size->width : scene.width;
     view.height = job.size ? job.size->height : scene.height;
-    const reference::ExportResult result = reference::export_pov(
-        scene, view, {.name = output.stem().string(), .keep_lengths = job.keep_lengths});
+    const reference::ExportResult result =
+        reference::export_pov(scene, view,
+                              {.name = output.stem().string(),
+                               .exposure = job.exposure.value_or(1),
+                               .keep_lengths = job.keep_lengths});
     if (session.terminal.show(result.refusals, session.sources) > 0) return ExitCode::scene;
 
     if (!job.quiet) show_reservations(result, scene, session);
@@ -90,6 +96,12 @@ void add_export(CLI::App& app, Action& action) {
         ->type_name("WxH");
     command.add_flag("--keep-lengths", job->keep_lengths,
                      "Lengths as in the scene, not those at which POV-Ray is most exact");
+    add_number(command, "--exposure", job->exposure, 1e-300, 1e300,
+               "Multiply all light by X, so that nothing passes 1 and is clipped")
+        ->type_name("X");
+    add_number(command, "--min-contribution", job->min_contribution, 0, 1,
+               "In place of the scene's, as adc_bailout; 0 follows every branch")
+        ->type_name("X");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes");
     add_scene_options(command, job->scene_options);
     command.callback([&action, job] {

@@ -48,6 +48,7 @@ void ProgressBar::update(double share) {
     if (done > 0 && elapsed > 0.5)
         text += fmt::format(", {} left", as_clock_time(elapsed * (1 - done) / done));
 
+    if (!label_.empty()) text += ", " + label_;
     const std::size_t length = text.size();
     text.append(drawn_ > length ? drawn_ - length : 0, ' ');
     drawn_ = length;

@@ -21,6 +21,8 @@ class ProgressBar {
 
     /// Says that the next picture begins.
     void begin_part(std::size_t part);
+    /// What is being done, shown behind the bar.
+    void set_label(std::string label) { label_ = std::move(label); }
     /// \param share of the current picture, 0..1
     void update(double share);
     /// Takes the bar off the screen, so that something else can be printed.
@@ -33,6 +35,7 @@ class ProgressBar {
     bool shown_;
     std::size_t parts_;
     std::size_t part_ = 0;
+    std::string label_;
     std::size_t drawn_ = 0;  ///< characters on the screen
     Clock::time_point begin_ = Clock::now();
     Clock::time_point last_{};

@@ -118,7 +118,7 @@ void check_names(const StabilityJob& job) {
     if (!job.plot.empty() && !job.plot.ends_with(".svg"))
         throw UsageError(fmt::format("'{}': the name of a plot ends in .svg", job.plot));
     for (const std::string& name : {job.json, job.plot})
-        if (!name.empty()) check_writable(name);
+        if (!name.empty() && name != "-") check_writable(name);
     for (const ChangeRange& demand : job.demands) {
         if (!demand.high && base_of(demand.change) != 0)
             throw UsageError(fmt::format(
@@ -155,7 +155,7 @@ ExitCode stability(const StabilityJob& job, Session& session) {
     const Stopwatch watch;
     const auto may_go_on = [&] { return !job.time || watch.seconds() < *job.time; };
     const auto show = [&](const std::string& text) {
-        if (job.quiet) return;
+        if (job.quiet || job.json == "-") return;
         fmt::print("{}", text);
         std::fflush(stdout);
     };
@@ -179,7 +179,10 @@ ExitCode stability(const StabilityJob& job, Session& session) {
         all_held = all_held && held;
     }
     show(stability_foot(report) + "\n" + stability_sentence(report) + "\n");
-    if (!job.json.empty()) io::write_file(job.json, stability_json(report));
+    if (job.json == "-")
+        fmt::print("{}", stability_json(report));
+    else if (!job.json.empty())
+        io::write_file(job.json, stability_json(report));
     if (!job.plot.empty()) io::write_file(job.plot, stability_plot(report));
     return all_held ? ExitCode::done : ExitCode::differs;
 }
@@ -224,7 +227,9 @@ void add_stability(CLI::App& app, Action& action) {
     add_number(command, "--time", job->time, 0.1, 1e6,
                "Begin no picture after S seconds; what is open then stays open")
         ->type_name("S");
-    command.add_option("--json", job->json, "Write everything, each picture too, as JSON")
+    command
+        .add_option("--json", job->json,
+                    "Write everything, each picture too, as JSON; - to standard output")
         ->type_name("FILE");
     command.add_option("--plot", job->plot, "Draw wrong pixels against the change")
         ->type_name("FILE.svg");

@@ -16,7 +16,9 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/progress.h"
 #include "cli/scene_loader.h"
+#include "judge/report/shell_text.h"
 #include "judge/validate/our_renderer.h"
 #include "judge/validate/validation_text.h"
 #include "model/io/file.h"
@@ -31,6 +33,7 @@ struct ValidateJob {
     std::vector<std::string> scenes;
     std::string report;
     std::string json;
+    std::string junit;
     std::string camera;
     std::optional<PictureSize> size;
     std::optional<std::int64_t> jobs;
@@ -48,6 +51,15 @@ PictureSize size_of(const ValidateJob& job, const Scene& scene) {
     return {width, static_cast<int>(std::clamp(height, 1.0, 4096.0))};
 }
 
+/// The scene and what chooses its picture, as one would type it.
+std::string scene_words(const std::string& path, const ValidateJob& job) {
+    std::string words = judge::shell_quoted(path);
+    if (!job.camera.empty()) words += " --camera " + judge::shell_quoted(job.camera);
+    for (const auto& [name, value] : job.scene_options.definitions)
+        words += " -D " + judge::shell_quoted(name + "=" + value);
+    return words;
+}
+
 ValidationJob load(const std::string& path, const ValidateJob& job, Session& session) {
     SceneLoader loader(path, job.scene_options, session);
     auto scene = std::make_shared<Scene>(loader.load());
@@ -55,6 +67,7 @@ ValidationJob load(const std::string& path, const ValidateJob& job, Session& ses
     ValidationJob result;
     result.name = path == "-" ? "scene" : std::filesystem::path(path).stem().string();
     result.path = path;
+    result.scene_words = scene_words(path, job);
     const PictureSize size = size_of(job, *scene);
     result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job.camera, session)), size.width,
                    size.height};
@@ -79,8 +92,17 @@ void tell_apart(std::vector<ValidationJob>& jobs) {
 /// as soon as it is known, and collects the report's entries.
 class Validations {
   public:
-    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs)
-        : options_(options), jobs_(std::move(jobs)), povray_(reference::find_povray()) {
+    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs,
+                const Terminal& terminal)
+        : options_(options),
+          jobs_(std::move(jobs)),
+          povray_(reference::find_povray()),
+          bar_(terminal, options.quiet, 1) {
+        shares_.resize(jobs_.size());
+        for (std::size_t i = 0; i < jobs_.size(); ++i)
+            jobs_[i].progress = [this, i](double share, const char* what) {
+                show_progress(i, share, what);
+            };
         for (const ValidationJob& job : jobs_) name_width_ = std::max(name_width_, job.name.size());
         pov_options_.cache = options.no_cache ? std::string() : reference::cache_folder();
         pov_options_.time_limit = options.time_limit.value_or(pov_options_.time_limit);
@@ -91,7 +113,7 @@ class Validations {
         results_.resize(jobs_.size());
         done_.resize(jobs_.size());
         report_.entries.resize(jobs_.size());
-        if (!options_.quiet) fmt::print("{}", judge::table_head(name_width_));
+        if (shows_table()) fmt::print("{}", judge::table_head(name_width_));
         // POV-Ray sleeps while it starts, so that twice as many as there are cores keep them busy.
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
         const auto workers = static_cast<std::size_t>(options_.jobs.value_or(2 * cores));
@@ -103,12 +125,14 @@ class Validations {
     }
 
     ExitCode finish() {
-        if (!options_.json.empty()) {
-            io::write_file(options_.json, judge::validations_to_json(results_, povray_));
-        }
+        bar_.clear();
+        write_text(options_.json, [&] { return judge::validations_to_json(results_, povray_); });
+        write_text(options_.junit, [&] {
+            return judge::junit_xml("lancer validate", judge::junit_cases(results_));
+        });
         if (!options_.report.empty()) {
             judge::write_report(report_, options_.report);
-            if (!options_.quiet) fmt::print("wrote {}/index.html\n", options_.report);
+            if (shows_table()) fmt::print("wrote {}/index.html\n", options_.report);
         }
         ExitCode worst = ExitCode::done;
         for (const Validation& v : results_) {
@@ -119,6 +143,29 @@ class Validations {
     }
 
   private:
+    /// Standard output is for one thing alone.
+    bool shows_table() const {
+        return !options_.quiet && options_.json != "-" && options_.junit != "-";
+    }
+
+    template <class Text>
+    static void write_text(const std::string& name, const Text& text) {
+        if (name == "-")
+            fmt::print("{}", text());
+        else if (!name.empty())
+            io::write_file(name, text());
+    }
+
+    void show_progress(std::size_t job, double share, const char* what) {
+        const std::lock_guard lock(mutex_);
+        shares_[job] = share;
+        double sum = 0;
+        for (const double s : shares_) sum += s;
+        bar_.set_label(jobs_.size() == 1 ? std::string(what)
+                                         : fmt::format("{}: {}", jobs_[job].name, what));
+        bar_.update(sum / static_cast<double>(shares_.size()));
+    }
+
     /// A refusal that nobody expected is the scene's, all else POV-Ray's.
     static ExitCode exit_code_of(const Validation& v) {
         return v.refusals.empty() ? ExitCode::files : ExitCode::differs;
@@ -131,16 +178,20 @@ class Validations {
             if (!options_.report.empty()) report_.entries[i] = judge::report_entry(result);
             result.ours = {};
             result.theirs = {};
+            result.pov_text = {};
+            result.pov_assets = {};
             const std::lock_guard lock(mutex_);
             results_[i] = std::move(result);
             done_[i] = true;
+            shares_[i] = 1;
             show_lines();
         }
     }
 
     void show_lines() {
         for (; shown_ < jobs_.size() && done_[shown_]; ++shown_) {
-            if (!options_.quiet) fmt::print("{}", judge::table_row(results_[shown_], name_width_));
+            bar_.clear();
+            if (shows_table()) fmt::print("{}", judge::table_row(results_[shown_], name_width_));
         }
         std::fflush(stdout);
     }
@@ -156,9 +207,13 @@ class Validations {
     std::vector<bool> done_;
     std::size_t shown_ = 0;
     judge::Report report_;
+    std::vector<double> shares_;  ///< of each job that is done
+    ProgressBar bar_;
 };
 
 ExitCode validate(const ValidateJob& job, Session& session) {
+    if (job.json == "-" && job.junit == "-")
+        throw UsageError("--json and --junit cannot both go to standard output");
     // Scenes that cannot be read do not keep the others from their answer.
     ExitCode worst = ExitCode::done;
     std::vector<ValidationJob> jobs;
@@ -174,7 +229,7 @@ ExitCode validate(const ValidateJob& job, Session& session) {
     }
     if (jobs.empty()) return worst;
     tell_apart(jobs);
-    Validations validations(job, std::move(jobs));
+    Validations validations(job, std::move(jobs), session.terminal);
     validations.run();
     return std::max(worst, validations.finish());
 }
@@ -192,7 +247,14 @@ void add_validate(CLI::App& app, Action& action) {
         ->type_name("");
     command.add_option("--report", job->report, "Write DIR/index.html, to look at")
         ->type_name("DIR");
-    command.add_option("--json", job->json, "Write the results as JSON")->type_name("FILE");
+    command
+        .add_option("--json", job->json,
+                    "Write the results as JSON; - to standard output, in place of the table")
+        ->type_name("FILE");
+    command
+        .add_option("--junit", job->junit,
+                    "Write the results as JUnit XML, for build servers; - to standard output")
+        ->type_name("FILE");
     command.add_option("--camera", job->camera, "Name of the camera; the first by default")
         ->type_name("NAME");
     command

@@ -15,7 +15,9 @@ namespace lancer::judge {
 namespace {
 
 /// More circles than this hide the picture; the first ones are the largest differences.
-constexpr std::size_t most_markers = 400;
+constexpr std::size_t most_circles = 60;
+/// Lines in the list of the worst pixels.
+constexpr std::size_t most_listed = 12;
 
 std::string entry_id(std::size_t rank) {
     return fmt::format("pair-{}", rank);
@@ -32,15 +34,15 @@ std::string circles(const ReportEntry& entry) {
     if (entry.markers.empty()) return {};
     std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" preserveAspectRatio=\"none\">",
                                   entry.heat.width, entry.heat.height);
-    // Few are pointed at from afar, many only marked.
-    const double radius =
-        std::max(2.5, entry.heat.width / 110.0) * (entry.markers.size() > 100 ? 0.4 : 1.0);
-    for (std::size_t i = 0; i < std::min(entry.markers.size(), most_markers); ++i) {
+    const double radius = std::max(2.5, entry.heat.width / 90.0);
+    for (std::size_t i = 0; i < std::min(entry.markers.size(), most_circles); ++i) {
         const Marker& m = entry.markers[i];
+        const std::string ring =
+            fmt::format("cx=\"{}.5\" cy=\"{}.5\" r=\"{:.1f}\"", m.x, m.y, radius);
         svg += fmt::format(
-            "<circle class=\"k-{}\" cx=\"{}.5\" cy=\"{}.5\" "
-            "r=\"{:.1f}\"><title>{}</title></circle>",
-            slug(m.kind), m.x, m.y, radius, escaped(m.text));
+            "<circle class=\"halo\" {0}/><circle class=\"k-{1}\" data-pixel=\"{2},{3}\" "
+            "{0}><title>{4}</title></circle>",
+            ring, slug(m.kind), m.x, m.y, escaped(m.text));
     }
     return svg + "</svg>";
 }
@@ -65,13 +67,12 @@ std::string heat_legend(const ReportEntry& entry) {
     if (kinds.empty()) return html;
     html += "<ul class=\"legend\">";
     for (const auto& [kind, count] : kinds) {
-        html += fmt::format("<li><span class=\"dot k-{}\"></span>{} {}</li>", slug(kind),
+        html += fmt::format("<li><span class=\"dot k-{}\"></span>{}: {}</li>", slug(kind),
                             escaped(kind), count);
     }
     html += "</ul>";
-    if (entry.markers.size() > most_markers) {
-        html += fmt::format("<p class=\"soft\">The {} largest are circled.</p>", most_markers);
-    }
+    if (entry.markers.size() > most_circles)
+        html += fmt::format("<p class=\"soft\">The {} largest are circled.</p>", most_circles);
     return html;
 }
 
@@ -90,9 +91,12 @@ std::string viewer(const ReportEntry& entry, const Report& report) {
     if (heat) {
         html += fmt::format(
             "<figure class=\"heat\"><div class=\"frame\">{}{}</div>{}"
-            "<figcaption>Largest difference of a channel, linear light, logarithmic</figcaption>"
+            "<figcaption>Largest difference of a channel, linear light, logarithmic{}</figcaption>"
             "</figure>",
-            picture(entry.heat, "Difference: " + entry.name), circles(entry), heat_legend(entry));
+            picture(entry.heat, "Difference: " + entry.name), circles(entry), heat_legend(entry),
+            entry.markers.empty() ? ""
+                                  : " <label class=\"rings\"><input type=\"checkbox\" checked> "
+                                    "rings</label>");
     }
     html += "</div>";
     if (heat) {
@@ -101,6 +105,69 @@ std::string viewer(const ReportEntry& entry, const Report& report) {
             "aria-label=\"Where the pictures meet\">";
     }
     return html;
+}
+
+std::string channels(const Color& c) {
+    return fmt::format("{:.6f} {:.6f} {:.6f}", c.x, c.y, c.z);
+}
+
+/// Filled by the page's script: both pictures around a place, and their values there.
+std::string loupe(const ReportEntry& entry, const Report& report) {
+    if (entry.heat.png.empty()) return {};
+    std::string html = fmt::format(
+        "<div class=\"loupe\" data-width=\"{}\" data-height=\"{}\"><p class=\"soft at\">Point at a "
+        "picture for the values there; a click holds the place.</p>",
+        entry.left.width, entry.left.height);
+    for (const auto& [side, name] :
+         {std::pair{"left", report.left_name}, {"right", report.right_name}})
+        html += fmt::format(
+            "<div class=\"glass {}\" hidden><canvas width=\"110\" height=\"110\"></canvas>"
+            "<div><b>{}</b><output></output></div></div>",
+            side, escaped(name));
+    html +=
+        "<div class=\"glass change\" hidden><div><b>Difference</b><output></output></div></div>";
+    const auto values = [&](const char* side, const ExactValues& v) {
+        for (const auto& [part, png] : {std::pair{"high", &v.high}, {"low", &v.low}})
+            html += fmt::format(
+                "<img hidden alt=\"\" class=\"{}-{}\" src=\"data:image/png;base64,{}\">", side,
+                part, base64(*png));
+    };
+    if (!entry.left_values.high.empty() && !entry.right_values.high.empty()) {
+        values("left", entry.left_values);
+        values("right", entry.right_values);
+    }
+    return html + "</div>";
+}
+
+std::string worst_pixels(const ReportEntry& entry, const Report& report, std::size_t rank) {
+    if (entry.markers.empty()) return {};
+    std::string html = fmt::format(
+        "<h3>Worst pixels</h3><div class=\"table\"><table class=\"worst\"><thead><tr><th>Place</th>"
+        "<th class=\"number\">Difference</th><th>What it is</th><th class=\"number\">{}</th>"
+        "<th class=\"number\">{}</th></tr></thead><tbody>",
+        escaped(report.left_name), escaped(report.right_name));
+    for (std::size_t i = 0; i < std::min(entry.markers.size(), most_listed); ++i) {
+        const Marker& m = entry.markers[i];
+        html += fmt::format(
+            "<tr><td><a href=\"#{0}\" data-pixel=\"{1},{2}\" title=\"{7}\">{1}, {2}</a></td><td "
+            "class=\"number\">{3:.3g}</td><td>{4}</td><td class=\"number\">{5}</td><td "
+            "class=\"number\">{6}</td></tr>",
+            entry_id(rank), m.x, m.y, m.difference, escaped(m.kind), channels(m.left),
+            channels(m.right), escaped(m.text));
+    }
+    html += "</tbody></table></div>";
+    if (entry.markers.size() > most_listed)
+        html += fmt::format("<p class=\"soft\">{} more.</p>", entry.markers.size() - most_listed);
+    return html;
+}
+
+std::string file_links(const ReportEntry& entry) {
+    if (entry.files.empty()) return {};
+    std::string html = "<p class=\"files\">Beside this page:";
+    for (const ReportFile& file : entry.files)
+        html +=
+            fmt::format(" <a href=\"{}\">{}</a>", escaped(url_of(file.name)), escaped(file.label));
+    return html + "</p>";
 }
 
 std::string measure_table(const ReportEntry& entry) {
@@ -196,12 +263,15 @@ std::string entry_card(const ReportEntry& entry, const Report& report, std::size
             "<button data-set=\"blink\" aria-pressed=\"false\">Blink</button></span>";
     }
     html += "</div>";
+    if (!entry.summary.empty()) html += "<p class=\"summary\">" + escaped(entry.summary) + "</p>";
+    if (!entry.left.png.empty() || !entry.right.png.empty())
+        html += viewer(entry, report) + loupe(entry, report);
     if (!entry.reasons.empty()) {
         html += fmt::format("<ul class=\"reasons {}\">", verdict);
         for (const std::string& reason : entry.reasons) html += "<li>" + escaped(reason) + "</li>";
         html += "</ul>";
     }
-    if (!entry.left.png.empty() || !entry.right.png.empty()) html += viewer(entry, report);
+    html += worst_pixels(entry, report, rank);
     if (!entry.measures.empty()) {
         html += "<div class=\"facts\"><div>" + measure_table(entry) + "</div><div>";
         if (!entry.differences.empty()) {
@@ -210,7 +280,7 @@ std::string entry_card(const ReportEntry& entry, const Report& report, std::size
         }
         html += "</div></div>";
     }
-    return html + note_list(entry.notes) + evidence(entry) + "</article>\n";
+    return html + note_list(entry.notes) + file_links(entry) + evidence(entry) + "</article>\n";
 }
 
 std::string entry_row(const ReportEntry& entry, const Report& report, std::size_t rank) {

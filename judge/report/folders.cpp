@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include "judge/report/entry_html.h"
 #include "model/diagnostic.h"
 #include "model/io/image_file.h"
+#include "reference/compare/comparison_text.h"
 #include "reference/compare/heat_map.h"
 
 namespace lancer::judge {
@@ -57,13 +61,51 @@ void add_measures(ReportEntry& entry, const reference::Comparison& c,
     if (options.flip) plain("FLIP", c.flip);
 }
 
+/// The largest differences.
+void add_markers(ReportEntry& entry, const Image& a, const Image& b,
+                 const reference::CompareOptions& options) {
+    constexpr std::size_t most = 500;
+    const auto& differences = entry.differences;
+    std::vector<std::size_t> over;
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        if (differences[i] > options.fail) over.push_back(i);
+    const auto larger = [&](std::size_t i, std::size_t j) {
+        return differences[i] != differences[j] ? differences[i] > differences[j] : i < j;
+    };
+    const std::size_t kept = std::min(most, over.size());
+    std::partial_sort(over.begin(), over.begin() + static_cast<std::ptrdiff_t>(kept), over.end(),
+                      larger);
+    over.resize(kept);
+    const auto color = [](const Image& image, int x, int y) {
+        const double* p = image.pixel(x, y);
+        return image.channels < 3 ? Color(p[0]) : Color(p[0], p[1], p[2]);
+    };
+    const auto width = static_cast<std::size_t>(a.width);
+    for (const std::size_t i : over) {
+        const int x = static_cast<int>(i % width);
+        const int y = static_cast<int>(i / width);
+        entry.markers.push_back({x, y, "over",
+                                 fmt::format("({}, {}) differs by {:.3g}", x, y, differences[i]),
+                                 differences[i], color(a, x, y), color(b, x, y)});
+    }
+}
+
 }  // namespace
 
 ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
+                       const reference::Comparison& comparison,
+                       const reference::CompareOptions& options);
+
+ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
+                       const reference::CompareOptions& options) {
+    return pair_entry(name, a, b, reference::compare_images(a, b, options), options);
+}
+
+ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
+                       const reference::Comparison& comparison,
                        const reference::CompareOptions& options) {
     ReportEntry entry;
     entry.name = name;
-    const reference::Comparison comparison = reference::compare_images(a, b, options);
     entry.verdict = comparison.pass ? Verdict::agrees : Verdict::differs;
     if (!comparison.pass) entry.reasons.push_back(comparison.reason);
     entry.left = preview_of(a);
@@ -72,6 +114,9 @@ ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
         entry.differences = reference::pixel_differences(a, b);
         entry.heat = preview_of(reference::heat_map(entry.differences, a.width, false));
         entry.urgency = comparison.over * 1e3 + comparison.max;
+        entry.left_values = exact_values(a);
+        entry.right_values = exact_values(b);
+        add_markers(entry, a, b, options);
         add_measures(entry, comparison, options);
         entry.cells = {
             fmt::format("{:.3g}", comparison.max), fmt::format("{:.3g}", comparison.mean),
@@ -107,6 +152,7 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
     if (options.fail > 0) result.report.histogram_marks = {options.fail};
     for (const std::string& name : names) {
         ReportEntry entry;
+        std::optional<reference::Comparison> measures;
         if (!names_b.contains(name)) {
             entry = failed_entry(name, fmt::format("only in '{}'", a));
         } else if (!names_a.contains(name)) {
@@ -115,7 +161,8 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
             try {
                 const Image left = io::read_image((fs::path(a) / name).string());
                 const Image right = io::read_image((fs::path(b) / name).string());
-                entry = pair_entry(name, left, right, options);
+                measures = reference::compare_images(left, right, options);
+                entry = pair_entry(name, left, right, *measures, options);
             } catch (const FileError& error) {
                 entry = failed_entry(name, error.what());
                 ++result.unreadable;
@@ -123,9 +170,41 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
         }
         result.pass = result.pass && entry.verdict == Verdict::agrees;
         if (on_pair) on_pair(entry);
+        result.pairs.push_back(
+            {name, entry.verdict, entry.reasons.empty() ? "" : entry.reasons.front(), measures});
         result.report.entries.push_back(std::move(entry));
     }
     return result;
+}
+
+std::string to_json(const FolderComparison& comparison, const reference::CompareOptions& options) {
+    nlohmann::ordered_json json;
+    json["verdict"] = comparison.pass ? "pass" : "fail";
+    json["pairs"] = nlohmann::ordered_json::array();
+    for (const PairResult& pair : comparison.pairs) {
+        nlohmann::ordered_json made;
+        made["name"] = pair.name;
+        made["verdict"] = verdict_name(pair.verdict);
+        if (!pair.reason.empty()) made["reason"] = pair.reason;
+        if (pair.measures)
+            made["measures"] =
+                nlohmann::ordered_json::parse(reference::to_json(*pair.measures, options));
+        json["pairs"].push_back(std::move(made));
+    }
+    // File names may hold any bytes.
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::vector<JUnitCase> junit_cases(const FolderComparison& comparison) {
+    std::vector<JUnitCase> cases;
+    for (const PairResult& pair : comparison.pairs) {
+        JUnitCase made{pair.name, 0, JUnitCase::Outcome::passed, {}};
+        if (pair.verdict == Verdict::differs) made.outcome = JUnitCase::Outcome::failed;
+        if (pair.verdict == Verdict::failed) made.outcome = JUnitCase::Outcome::error;
+        if (!pair.reason.empty()) made.reasons.push_back(pair.reason);
+        cases.push_back(std::move(made));
+    }
+    return cases;
 }
 
 }  // namespace lancer::judge

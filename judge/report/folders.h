@@ -2,15 +2,27 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "judge/report/junit.h"
 #include "judge/report/report.h"
 #include "reference/compare/compare.h"
 
 namespace lancer::judge {
 
+/// The measures of one pair, for programs.
+struct PairResult {
+    std::string name;
+    Verdict verdict = Verdict::failed;
+    std::string reason;  ///< empty when it agrees
+    std::optional<reference::Comparison> measures;
+};
+
 struct FolderComparison {
     Report report;
+    std::vector<PairResult> pairs;  ///< by name
     bool pass = false;
     std::size_t unreadable = 0;  ///< pictures that could not be read
 };
@@ -22,6 +34,11 @@ struct FolderComparison {
 FolderComparison compare_folders(const std::string& a, const std::string& b,
                                  const reference::CompareOptions& options,
                                  const std::function<void(const ReportEntry&)>& on_pair = {});
+
+/// {"verdict", "pairs": [{"name", "verdict", "reason", then the measures as `compare` gives
+/// them}]}. Ends with a line feed.
+std::string to_json(const FolderComparison& comparison, const reference::CompareOptions& options);
+std::vector<JUnitCase> junit_cases(const FolderComparison& comparison);
 
 /// The report's entry for one pair of pictures.
 ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "judge/report/html.h"
 #include "model/elementary.h"
 
 namespace lancer::judge {
@@ -81,12 +82,15 @@ std::string histogram_svg(const std::vector<double>& differences,
         svg += fmt::format("<text x=\"{:.1f}\" y=\"{:g}\" text-anchor=\"{}\">1e{}</text>",
                            x_of(decade), floor_y + 14, decade == 0 ? "end" : "middle", decade);
     }
+    int labelled = 0;  // labels stand one below the other: the marks may be near each other
     for (const double mark : marks) {
         if (!(mark > 1e-7)) continue;
         svg += fmt::format(
             "<line class=\"mark\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:g}\" y2=\"{2:g}\">"
             "<title>threshold {3:g}</title></line>",
             x_of(log10_of(mark)), top, floor_y, mark);
+        svg += fmt::format("<text class=\"mark-label\" x=\"{:.1f}\" y=\"{:g}\">{}</text>",
+                           x_of(log10_of(mark)) + 3, top + 7 + 11 * labelled++, shown(mark));
     }
     return svg + "</svg>";
 }

@@ -9,6 +9,9 @@ namespace lancer::judge {
 /// `text` with & < > " ' as entities: safe in elements and in quoted attributes.
 std::string escaped(std::string_view text);
 
+/// A file name as a relative address: all but letters, digits and -._ in percent.
+std::string url_of(std::string_view name);
+
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 

@@ -42,15 +42,15 @@ std::string introduction(const Report& report) {
         if (n != 1 && word.ends_with('s')) word.pop_back();  // 4 agree, 1 agrees
         html += fmt::format("<li class=\"badge {}\">{} {}</li>", verdict_name(verdict), n, word);
     }
-    html += "</ul>\n";
-    if (!report.about.empty()) {
-        html += "<details open><summary>What is compared, and how</summary><dl>";
-        for (const Note& note : report.about) {
-            html += fmt::format("<dt>{}</dt><dd>{}</dd>", escaped(note.label), escaped(note.text));
-        }
-        html += "</dl></details>\n";
-    }
-    return html + "</div></header>\n";
+    return html + "</ul>\n</div></header>\n";
+}
+
+std::string about(const Report& report) {
+    if (report.about.empty()) return {};
+    std::string html = "<section><h2>What is compared, and how</h2><dl>";
+    for (const Note& note : report.about)
+        html += fmt::format("<dt>{}</dt><dd>{}</dd>", escaped(note.label), escaped(note.text));
+    return html + "</dl></section>\n";
 }
 
 std::string controls(const Report& report) {
@@ -91,9 +91,43 @@ std::string overview(const Report& report, const std::vector<const ReportEntry*>
 constexpr const char* keys_help =
     "<footer><p>Keys: <kbd>/</kbd> filter, <kbd>j</kbd> <kbd>k</kbd> next and previous pair, "
     "<kbd>1</kbd> side by side, <kbd>2</kbd> slider (drag, or <kbd>←</kbd> <kbd>→</kbd>), "
-    "<kbd>3</kbd> blink. Circles and bars say more when pointed at. Pictures on this page have 8 "
+    "<kbd>3</kbd> blink, <kbd>r</kbd> rings on and off. Circles and bars say more when pointed at. "
+    "Pictures on this page have 8 "
     "bits "
     "per channel; all numbers were computed from the originals.</p></footer>\n";
+
+}  // namespace
+
+void sort_markers(std::vector<Marker>& markers) {
+    std::stable_sort(markers.begin(), markers.end(), [](const Marker& a, const Marker& b) {
+        const bool unexplained = a.kind == "unexplained";
+        if (unexplained != (b.kind == "unexplained")) return unexplained;
+        return a.difference > b.difference;
+    });
+}
+
+namespace {
+
+/// What remains of `most_bytes`, in bytes before base64.
+std::size_t fit_values(Report& report, std::size_t most_bytes) {
+    std::vector<ReportEntry*> entries;
+    std::size_t all = 0;
+    const auto bytes = [](const ReportEntry& e) {
+        return e.left_values.bytes() + e.right_values.bytes();
+    };
+    for (ReportEntry& entry : report.entries) {
+        all += bytes(entry);
+        entries.push_back(&entry);
+    }
+    std::stable_sort(entries.begin(), entries.end(),
+                     [&](const auto* a, const auto* b) { return bytes(*a) > bytes(*b); });
+    for (ReportEntry* entry : entries) {
+        if (all <= most_bytes / 2) break;
+        all -= bytes(*entry);
+        entry->left_values = entry->right_values = {};
+    }
+    return most_bytes - all;
+}
 
 }  // namespace
 
@@ -107,7 +141,8 @@ void fit(Report& report, std::size_t most_bytes) {
     // The limit for which all of them would just fit, were those above it exactly as large.
     std::sort(previews.begin(), previews.end(),
               [](const Preview* a, const Preview* b) { return a->png.size() < b->png.size(); });
-    std::size_t left = most_bytes / 4 * 3;  // base64 makes four characters of three bytes
+    // base64 makes four characters of three bytes.
+    std::size_t left = fit_values(report, most_bytes / 4 * 3);
     for (std::size_t i = 0; i < previews.size(); ++i) {
         const std::size_t limit = left / (previews.size() - i);
         if (previews[i]->png.size() > limit) shrink(*previews[i], limit);
@@ -123,15 +158,18 @@ std::string to_html(const Report& report) {
                          if (a->verdict != b->verdict) return a->verdict < b->verdict;
                          return a->urgency > b->urgency;
                      });
-    std::string html = head(report) + introduction(report) + controls(report) + "<main>\n" +
-                       overview(report, ordered);
+    // One pair needs no list: its verdict and its pictures come first.
+    std::string html =
+        head(report) + fmt::format("<div class=\"{}\">\n", ordered.size() == 1 ? "one" : "many") +
+        introduction(report) + controls(report) + "<main>\n" + overview(report, ordered);
     html += "<section aria-label=\"Pairs\">\n";
     for (std::size_t i = 0; i < ordered.size(); ++i) {
         html += entry_card(*ordered[i], report, i + 1);
     }
     html += "</section>\n";
+    html += about(report);
     html += keys_help;
-    html += fmt::format("</main>\n<script>\n{}</script>\n</body>\n</html>\n", page_script);
+    html += fmt::format("</main>\n</div>\n<script>\n{}</script>\n</body>\n</html>\n", page_script);
     return html;
 }
 
@@ -143,6 +181,9 @@ void write_report(Report report, const std::string& folder) {
                                     error ? error.message() : "something else has this name"));
     }
     fit(report, report_bytes);
+    for (const ReportEntry& entry : report.entries)
+        for (const ReportFile& file : entry.files)
+            io::write_file((std::filesystem::path(folder) / file.name).string(), file.bytes);
     io::write_file((std::filesystem::path(folder) / "index.html").string(), to_html(report));
 }
 

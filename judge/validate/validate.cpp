@@ -5,38 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "judge/report/shell_text.h"
+#include "judge/validate/exposure.h"
+
 namespace lancer::judge {
 
 namespace {
 
-/// The power of two that brings the brightest value into 0..1, or 1: POV-Ray's 16-bit picture ends
-/// there, and a power of two changes no digit of ours.
-double exposure_for(const Image& image) {
-    double brightest = 0;
-    for (const double value : image.data) {
-        if (std::isfinite(value)) brightest = std::max(brightest, value);
-    }
-    if (brightest <= 1) return 1;
-    int exponent = 0;
-    std::frexp(brightest, &exponent);  // brightest = m 2^exponent with m in [0.5, 1)
-    return std::ldexp(1.0, -exponent);
-}
-
-double exposed(double value, double exposure) {
-    // NaN passes through, so that the comparison finds it.
-    return std::isfinite(value) ? std::clamp(value * exposure, 0.0, 1.0) : value;
-}
-
 Image exposed(const Image& image, double exposure) {
     Image result = image;
-    for (double& value : result.data) value = exposed(value, exposure);
+    for (double& value : result.data) value = judge::exposed(value, exposure);
     return result;
 }
 
 ProbeFunction exposed(ProbeFunction probe, double exposure) {
     return [probe = std::move(probe), exposure](double x, double y) {
         Probe sample = probe(x, y);
-        for (int c = 0; c < 3; ++c) sample.color[c] = exposed(sample.color[c], exposure);
+        for (int c = 0; c < 3; ++c) sample.color[c] = judge::exposed(sample.color[c], exposure);
         return sample;
     };
 }
@@ -63,8 +48,35 @@ bool take_export(Validation& result, const ValidationJob& job, reference::Export
     return false;
 }
 
+/// Asks POV-Ray about parts of the picture.
+class PovRayAgain {
+  public:
+    PovRayAgain(const ValidationJob& job, const reference::ExportOptions& options,
+                const reference::PovRay& povray, const reference::PovOptions& pov_options)
+        : job_(job), options_(options), povray_(povray), pov_options_(pov_options) {}
+
+    Image around(int x, int y, double pitch) const {
+        reference::ExportOptions close = options_;
+        close.close_up = reference::CloseUp{x + 0.5, y + 0.5, pitch};
+        return picture(reference::export_pov(*job_.scene, job_.view, close),
+                       reference::CloseUp::points, reference::CloseUp::points);
+    }
+
+  private:
+    Image picture(reference::ExportResult exported, int width, int height) const {
+        const reference::PovJob job{job_.name, std::move(exported.text), std::move(exported.assets),
+                                    width, height};
+        return reference::run_povray(povray_, job, pov_options_).image;
+    }
+
+    const ValidationJob& job_;
+    reference::ExportOptions options_;
+    const reference::PovRay& povray_;
+    const reference::PovOptions& pov_options_;
+};
+
 void judge_result(Validation& result, const OurPicture& ours, const PovRayRules& rules,
-                  const std::function<Image(int, int, double)>& around) {
+                  const PovRayAgain& again) {
     reference::CompareOptions options;
     options.fail = result.thresholds.interior;
     options.fail_percent = 100;  // the judgement decides, not this
@@ -82,7 +94,7 @@ void judge_result(Validation& result, const OurPicture& ours, const PovRayRules&
         second.by_rules = exposed(ours.by_rules(rules), result.exposure);
         second.without = exposed(ours.by_rules(none), result.exposure);
     }
-    second.around = around;
+    second.around = [&](int x, int y, double pitch) { return again.around(x, y, pitch); };
     result.judgement =
         judge_pictures(result.ours, result.theirs, exposed(ours.probe, result.exposure),
                        result.thresholds, second, rays_for_explaining(ours.rays));
@@ -92,6 +104,10 @@ void judge_result(Validation& result, const OurPicture& ours, const PovRayRules&
 
 void validate(Validation& result, const ValidationJob& job, const OurRenderer& renderer,
               const reference::PovRay& povray, const reference::PovOptions& options) {
+    const auto tell = [&](double share, const char* what) {
+        if (job.progress) job.progress(share, what);
+    };
+    tell(0, "Lancer renders");
     const OurPicture ours = renderer(job.scene, job.view);
     result.our_seconds = ours.seconds;
 
@@ -105,19 +121,17 @@ void validate(Validation& result, const ValidationJob& job, const OurRenderer& r
 
     const reference::PovJob pov_job{job.name, std::move(exported.text), std::move(exported.assets),
                                     job.view.width, job.view.height};
+    result.pov_text = pov_job.text;
+    result.pov_assets = pov_job.assets;
+    tell(0.3, "POV-Ray renders");
     reference::PovPicture picture = reference::run_povray(povray, pov_job, options);
     result.pov_seconds = picture.seconds;
     result.from_cache = picture.from_cache;
     result.pov_command = picture.command;
     result.theirs = std::move(picture.image);
-    const auto around = [&](int x, int y, double pitch) {
-        export_options.close_up = reference::CloseUp{x + 0.5, y + 0.5, pitch};
-        reference::ExportResult close = reference::export_pov(*job.scene, job.view, export_options);
-        const reference::PovJob close_job{job.name, std::move(close.text), std::move(close.assets),
-                                          reference::CloseUp::points, reference::CloseUp::points};
-        return reference::run_povray(povray, close_job, options).image;
-    };
-    judge_result(result, ours, rules, around);
+    tell(0.8, "differences are explained");
+    const PovRayAgain again(job, export_options, povray, options);
+    judge_result(result, ours, rules, again);
 }
 
 }  // namespace
@@ -132,6 +146,7 @@ Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
     Validation result;
     result.name = job.name;
     result.path = job.path;
+    result.scene_words = job.scene_words.empty() ? shell_quoted(job.path) : job.scene_words;
     result.view = job.view;
     result.thresholds = job.expect.thresholds;
     result.expectations = job.expect.reasons;

@@ -20,10 +20,15 @@ namespace lancer::judge {
 /// branch, so `settings` must say samples 1 and min_contribution 0: see prepare_for_validation().
 struct ValidationJob {
     std::string name;  ///< for people and for the files' names: `solids`
-    std::string path;  ///< as it stood on the command line, for the commands in the report
+    std::string path;  ///< as it stood on the command line
+    /// The path and the options that choose the scene (--camera, -D), quoted for a shell: for the
+    /// commands in the report.
+    std::string scene_words;
     std::shared_ptr<const Scene> scene;
     reference::ExportView view;
     Expectations expect;
+    /// Told what begins and how much is done, 0..1; from the thread that validates; may be empty.
+    std::function<void(double share, const char* what)> progress{};
 };
 
 /// The rays that explaining may cost: the picture's own many times over, and some for pictures that
@@ -39,6 +44,7 @@ void prepare_for_validation(Scene& scene);
 struct Validation {
     std::string name;
     std::string path;
+    std::string scene_words;
     Verdict verdict = Verdict::failed;
     /// Why it does not agree; for a refusal what the exporter said, as one would read it in a
     /// report.
@@ -51,6 +57,8 @@ struct Validation {
     double factor = 1;    ///< of lengths in the export
     double exposure = 1;  ///< of light, in both pictures
     std::vector<reference::KnownDifference> known_differences;
+    std::string pov_text;  ///< the exported scene
+    std::vector<reference::Asset> pov_assets;
     std::vector<std::string> approximations;
     std::vector<std::string> expectations;
     Thresholds thresholds;

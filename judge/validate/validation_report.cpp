@@ -5,6 +5,7 @@
 
 #include "judge/report/html.h"
 #include "judge/validate/validation_text.h"
+#include "model/io/png_file.h"
 #include "reference/compare/heat_map.h"
 
 namespace lancer::judge {
@@ -86,12 +87,57 @@ void add_markers(ReportEntry& entry, const Validation& v) {
         if (p.pixel_class == PixelClass::outlier) text += "; POV-Ray has our value around it";
         if (p.pixel_class == PixelClass::known)
             text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
-        entry.markers.push_back({p.x, p.y, kind, std::move(text)});
+        entry.markers.push_back({p.x, p.y, kind, std::move(text), p.difference, p.ours, p.theirs});
     }
-    std::stable_sort(entry.markers.begin(), entry.markers.end(),
-                     [](const Marker& a, const Marker& b) {
-                         return (a.kind == "unexplained") > (b.kind == "unexplained");
-                     });
+    sort_markers(entry.markers);
+}
+
+/// What was done, to be typed: other names of the files, and nothing else.
+std::string commands_of(const Validation& v) {
+    const std::string size = fmt::format("{}x{}", v.view.width, v.view.height);
+    const std::string name = slug(v.name);
+    std::vector<std::string> povray = reference::povray_arguments(v.view.width, v.view.height, 1);
+    povray[0] = "+I" + name + ".pov";
+    povray[1] = "+O" + name + ".png";
+    return fmt::format(
+        "lancer render {0} --size {1} --samples 1 --min-contribution 0 -o {2}-ours.exr\n"
+        "lancer export {0} --size {1} --min-contribution 0 --exposure {3} -o {2}.pov\n"
+        "povray {4}\n"
+        "lancer compare {2}-ours.exr {2}.png --exposure {3} --fail {5:g} -o {2}-difference.png",
+        v.scene_words, size, name, v.exposure, fmt::join(povray, " "), v.thresholds.interior);
+}
+
+/// One sentence: how many pixels agree, and what became of the others.
+std::string summary_of(const Validation& v) {
+    const Judgement& j = v.judgement;
+    std::vector<std::string> others;
+    const auto add = [&](std::size_t n, const char* what) {
+        if (n > 0) others.push_back(fmt::format("{} {}", n, what));
+    };
+    add(j.explained, j.explained == 1 ? "lies on an edge" : "lie on edges");
+    add(j.count(PixelClass::known), "by a rule of POV-Ray's");
+    add(j.count(PixelClass::outlier), "that POV-Ray's own picture denies");
+    add(j.count(PixelClass::unexplained), "unexplained");
+    return fmt::format("{} of {} pixels agree to {}{}{}.", j.count(PixelClass::agrees), j.pixels,
+                       shown(v.thresholds.interior), others.empty() ? "" : "; of the others ",
+                       fmt::join(others, ", "));
+}
+
+/// The exported scene and the pictures, with all their bits.
+void add_files(ReportEntry& entry, const Validation& v) {
+    const std::string name = slug(v.name);
+    const auto add = [&](const std::string& file, const std::string& label, std::string bytes) {
+        entry.files.push_back({file, label, std::move(bytes)});
+    };
+    if (!v.pov_text.empty()) add(name + ".pov", "scene for POV-Ray", v.pov_text);
+    for (const reference::Asset& asset : v.pov_assets) add(asset.name, asset.name, asset.bytes);
+    io::ImageWriteOptions deep;
+    deep.bits = 16;
+    if (!v.ours.data.empty())
+        add(name + "-ours.png", "Lancer's picture", io::encode_png(v.ours, deep, name));
+    if (!v.theirs.data.empty())
+        add(name + "-theirs.png", "POV-Ray's picture", io::encode_png(v.theirs, deep, name));
+    if (!entry.heat.png.empty()) add(name + "-difference.png", "differences", entry.heat.png);
 }
 
 void add_notes(ReportEntry& entry, const Validation& v) {
@@ -106,14 +152,7 @@ void add_notes(ReportEntry& entry, const Validation& v) {
         entry.notes.push_back({"Expected of this scene", expectation});
     }
     const std::string size = fmt::format("{}x{}", v.view.width, v.view.height);
-    entry.evidence.push_back(
-        {"To repeat this",
-         fmt::format("lancer render {0} --size {1} --samples 1 --min-contribution 0 -o ours.exr\n"
-                     "lancer export {0} --size {1} -o {2}.pov\n{3}\n"
-                     "lancer compare ours.exr {2}.png --fail {4:g} -o difference.png",
-                     v.path, size, v.name,
-                     v.pov_command.empty() ? std::string("povray …") : v.pov_command,
-                     v.thresholds.interior)});
+    entry.evidence.push_back({"To repeat this", commands_of(v)});
     std::string facts = fmt::format("picture {} pixels\nPOV-Ray {}\n", size, v.pov_version);
     if (v.pov_seconds > 0) {
         facts += fmt::format("POV-Ray took {:.2f} s{}\n", v.pov_seconds,
@@ -140,6 +179,9 @@ ReportEntry report_entry(const Validation& v) {
     if (v.comparison.comparable) {
         entry.differences = reference::pixel_differences(v.ours, v.theirs);
         entry.heat = preview_of(reference::heat_map(entry.differences, v.ours.width, false));
+        entry.left_values = exact_values(v.ours);
+        entry.right_values = exact_values(v.theirs);
+        entry.summary = summary_of(v);
         add_measures(entry, v);
         add_markers(entry, v);
         const auto seconds = [](double value) { return fmt::format("{:.2f} s", value); };
@@ -155,6 +197,7 @@ ReportEntry report_entry(const Validation& v) {
                         v.judgement.interior_max;
     }
     add_notes(entry, v);
+    add_files(entry, v);
     return entry;
 }
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "judge/report/entry_html.h"
 
 namespace lancer::judge {
@@ -39,6 +41,26 @@ nlohmann::ordered_json shift_json(const Shift& shift) {
             {"count", shift.count}};
 }
 
+/// The unexplained pixels first, of these the largest differences; at most 20.
+nlohmann::ordered_json worst_json(const Judgement& judgement) {
+    std::vector<DifferentPixel> worst = judgement.different;
+    std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
+        const bool unexplained = a.pixel_class == PixelClass::unexplained;
+        if (unexplained != (b.pixel_class == PixelClass::unexplained)) return unexplained;
+        return a.difference > b.difference;
+    });
+    worst.resize(std::min<std::size_t>(20, worst.size()));
+    auto list = nlohmann::ordered_json::array();
+    for (const DifferentPixel& p : worst)
+        list.push_back({{"x", p.x},
+                        {"y", p.y},
+                        {"class", class_name(p.pixel_class)},
+                        {"difference", p.difference},
+                        {"lancer", {p.ours.x, p.ours.y, p.ours.z}},
+                        {"povray", {p.theirs.x, p.theirs.y, p.theirs.z}}});
+    return list;
+}
+
 nlohmann::ordered_json scene_json(const Validation& v) {
     nlohmann::ordered_json json;
     json["name"] = v.name;
@@ -66,6 +88,7 @@ nlohmann::ordered_json scene_json(const Validation& v) {
     json["explaining_rays"] = j.rays;
     json["edge_shift"] = shift_json(j.edge_shift);
     json["picture_shift"] = shift_json(j.picture_shift);
+    json["worst"] = worst_json(j);
     json["mean"] = v.comparison.mean;
     json["rmse"] = v.comparison.rmse;
     json["max"] = v.comparison.max;
@@ -95,6 +118,28 @@ std::string validations_to_json(const std::vector<Validation>& validations,
     for (const Validation& v : validations) json["scenes"].push_back(scene_json(v));
     // Messages of other programs may hold any bytes.
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::vector<JUnitCase> junit_cases(const std::vector<Validation>& validations) {
+    std::vector<JUnitCase> cases;
+    for (const Validation& v : validations) {
+        JUnitCase made{v.path, v.our_seconds + v.pov_seconds, {}, v.reasons};
+        switch (v.verdict) {
+            case Verdict::agrees:
+                break;
+            case Verdict::differs:
+                made.outcome = JUnitCase::Outcome::failed;
+                break;
+            case Verdict::refused:
+                made.outcome = JUnitCase::Outcome::skipped;
+                break;
+            case Verdict::failed:
+                made.outcome = JUnitCase::Outcome::error;
+                break;
+        }
+        cases.push_back(std::move(made));
+    }
+    return cases;
 }
 
 }  // namespace lancer::judge

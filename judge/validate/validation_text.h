@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/report/junit.h"
 #include "judge/report/report.h"
 #include "judge/validate/validate.h"
 
@@ -17,6 +18,9 @@ std::string table_row(const Validation& validation, std::size_t name_width);
 /// that were not measured are left out. Ends with a line feed.
 std::string validations_to_json(const std::vector<Validation>& validations,
                                 const reference::PovRay& povray);
+
+/// For junit_xml(): a refusal that was expected counts as skipped.
+std::vector<JUnitCase> junit_cases(const std::vector<Validation>& validations);
 
 /// The report's entry.
 ReportEntry report_entry(const Validation& validation);

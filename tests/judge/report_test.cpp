@@ -3,17 +3,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "judge/report/folders.h"
 #include "judge/report/histogram.h"
 #include "judge/report/html.h"
+#include "judge/report/junit.h"
+#include "judge/report/shell_text.h"
 #include "model/diagnostic.h"
 #include "model/io/file.h"
 #include "model/io/image_file.h"
+#include "model/io/png_file.h"
 #include "model/io/temporary_file.h"
+#include "model/srgb.h"
 
 namespace lancer::judge {
 namespace {
@@ -217,6 +223,118 @@ TEST_F(Folders, WithoutPicturesAreNotEqualButAMistake) {
     std::filesystem::create_directories(folder_.path() / "b");
     EXPECT_THROW(compare(), FileError);
     EXPECT_THROW(compare_folders(path("a"), path("nowhere"), {}), FileError);
+}
+
+TEST(Report, CirclesTheLargestDifferences) {
+    ReportEntry entry = entry_of("pair", Verdict::differs);
+    entry.left = entry.right = entry.heat = preview_of(Image(320, 240));
+    for (int i = 0; i < 100; ++i)
+        entry.markers.push_back({i, 7, "silhouette", "edge", 0.001 * i, {}, {}});
+    entry.markers.push_back({200, 9, "unexplained", "nobody knows", 1e-3, {}, {}});
+    sort_markers(entry.markers);
+    EXPECT_EQ(entry.markers[0].x, 200);
+    EXPECT_EQ(entry.markers[1].x, 99);
+    const std::string html = to_html(report_of({entry}));
+    EXPECT_THAT(html, HasSubstr("class=\"k-unexplained\" data-pixel=\"200,9\""));
+    EXPECT_THAT(html, HasSubstr("class=\"k-silhouette\" data-pixel=\"99,7\""));
+    EXPECT_THAT(html, Not(HasSubstr("class=\"k-silhouette\" data-pixel=\"3,7\"")));
+    EXPECT_THAT(html, HasSubstr("The 60 largest are circled."));
+    EXPECT_THAT(html, HasSubstr("89 more."));
+}
+
+TEST(Report, PutsThePicturesOfOnePairBeforeAllText) {
+    ReportEntry entry = entry_of("pair", Verdict::differs);
+    entry.left = entry.right = entry.heat = preview_of(Image(32, 24));
+    entry.reasons = {"because"};
+    Report report = report_of({entry});
+    report.about = {{"Rules", "many words"}};
+    const std::string html = to_html(report);
+    EXPECT_LT(html.find("class=\"badge differs\""), html.find("<img"));
+    EXPECT_LT(html.find("<figure class=\"heat\""), html.find("<li>because"));
+    EXPECT_LT(html.find("<li>because"), html.find("many words"));
+}
+
+TEST(Report, WritesFilesBesideThePageAndLinksThem) {
+    ReportEntry entry = entry_of("pair", Verdict::agrees);
+    entry.files = {{"a b.pov", "scene", "sphere { }"}};
+    const io::TemporaryFolder folder;
+    write_report(report_of({entry}), folder.path().string());
+    EXPECT_EQ(io::read_file((folder.path() / "a b.pov").string(), 100), "sphere { }");
+    EXPECT_THAT(io::read_file((folder.path() / "index.html").string(), 1 << 20),
+                HasSubstr("href=\"a%20b.pov\""));
+}
+
+TEST(Report, LeavesOutValuesThatWouldFillThePage) {
+    ReportEntry entry = entry_of("pair", Verdict::agrees);
+    entry.left_values = entry.right_values = exact_values(noise(64, 48, 1));
+    const std::size_t bytes = entry.left_values.bytes() + entry.right_values.bytes();
+    Report report = report_of({entry, entry});
+    fit(report, 8 * bytes);
+    EXPECT_FALSE(report.entries[0].left_values.high.empty());
+    fit(report, 3 * bytes);
+    EXPECT_NE(report.entries[0].left_values.high.empty(),
+              report.entries[1].left_values.high.empty())
+        << "half of the page is enough for one";
+}
+
+TEST(ExactValues, AreTheHighAndLowBytesOfSixteenBits) {
+    Image image(3, 1);
+    image.data = {0, 1, 0.5, 1.0 / 65535, 258.0 / 65535, 2, -1, 0.25, 0.75};
+    const ExactValues values = exact_values(image);
+    const Image high = io::decode_png(values.high, "h", io::ColorSpace::automatic);
+    const Image low = io::decode_png(values.low, "l", io::ColorSpace::automatic);
+    const auto byte = [](double linear) { return std::lround(srgb_encode(linear) * 255); };
+    const double clipped[] = {0, 1, 0.5, 1.0 / 65535, 258.0 / 65535, 1, 0, 0.25, 0.75};
+    for (std::size_t i = 0; i < 9; ++i)
+        EXPECT_EQ(256 * byte(high.data[i]) + byte(low.data[i]), std::lround(clipped[i] * 65535))
+            << i;
+}
+
+TEST(JUnit, CountsAndEscapes) {
+    using Outcome = JUnitCase::Outcome;
+    const std::string xml = junit_xml(
+        "lancer", {{"a<b", 1.5, Outcome::passed, {}},
+                   {"c", 0.25, Outcome::failed, {"3 pixels > 1", std::string("a \x01 byte")}},
+                   {"d", 0, Outcome::error, {"no POV-Ray"}},
+                   {"e", 0, Outcome::skipped, {"refused"}}});
+    EXPECT_THAT(xml, HasSubstr("tests=\"4\" failures=\"1\" errors=\"1\" skipped=\"1\" "
+                               "time=\"1.750\""));
+    EXPECT_THAT(xml, HasSubstr("name=\"a&lt;b\" time=\"1.500\"/>"));
+    EXPECT_THAT(xml, HasSubstr("<failure message=\"3 pixels &gt; 1\">3 pixels &gt; 1\na ? byte"));
+    EXPECT_THAT(xml, HasSubstr("<error message=\"no POV-Ray\">"));
+    EXPECT_THAT(xml, HasSubstr("<skipped message=\"refused\">"));
+}
+
+TEST(FolderResults, GiveTheMeasuresOfAllPairs) {
+    const io::TemporaryFolder a;
+    const io::TemporaryFolder b;
+    for (const auto& folder : {a.path(), b.path()})
+        io::write_image((folder / "same.png").string(), noise(8, 6, 1), {});
+    io::write_image((a.path() / "other.png").string(), noise(8, 6, 2), {});
+    io::write_image((b.path() / "other.png").string(), noise(8, 6, 3), {});
+    io::write_image((a.path() / "lonely.png").string(), noise(8, 6, 2), {});
+    const reference::CompareOptions options;
+    const FolderComparison found = compare_folders(a.path().string(), b.path().string(), options);
+    const auto json = nlohmann::json::parse(to_json(found, options));
+    EXPECT_EQ(json["verdict"], "fail");
+    ASSERT_EQ(json["pairs"].size(), 3u);
+    EXPECT_EQ(json["pairs"][0]["verdict"], "failed");
+    EXPECT_FALSE(json["pairs"][0].contains("measures"));
+    EXPECT_EQ(json["pairs"][1]["verdict"], "differs");
+    EXPECT_GT(json["pairs"][1]["measures"]["max"], 0);
+    EXPECT_EQ(json["pairs"][2]["verdict"], "agrees");
+    const auto cases = junit_cases(found);
+    EXPECT_EQ(cases[0].outcome, JUnitCase::Outcome::error);
+    EXPECT_EQ(cases[1].outcome, JUnitCase::Outcome::failed);
+    EXPECT_EQ(cases[2].outcome, JUnitCase::Outcome::passed);
+}
+
+TEST(Shell, QuotesWhatAShellTakesApart) {
+    EXPECT_EQ(shell_quoted("scenes/a-1.lancer"), "scenes/a-1.lancer");
+    EXPECT_EQ(shell_quoted("a b"), "'a b'");
+    EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
+    EXPECT_EQ(shell_quoted("$HOME"), "'$HOME'");
+    EXPECT_EQ(shell_quoted(""), "''");
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ class Tracer {
 
     Probe probe(double x, double y) const {
         Probe sample;
+        sample.rays = 1;
         const double aspect = static_cast<double>(world_.width) / world_.height;
         const double sx = ((x + world_.shift_x) / world_.width - 0.5) * aspect;
         const double sy = 0.5 - (y + world_.shift_y) / world_.height;

@@ -71,7 +71,7 @@ class ReportPage(unittest.TestCase):
 
     def test_worst_comes_first_and_pictures_are_there(self):
         self.assertEqual(self.page.run(VISIBLE), ["lonely.png", "moved.png", "equal.png"])
-        widths = self.page.run("return [...document.images].map(i => i.naturalWidth)")
+        widths = self.page.run("return [...document.querySelectorAll('.frame img')].map(i => i.naturalWidth)")
         self.assertEqual(widths, [96] * 6)
         self.page.screenshot(SCREENSHOT)
         self.assertGreater(os.path.getsize(SCREENSHOT), 10_000)
@@ -133,6 +133,41 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(seen, ["1", "0"])
         self.page.click(card + " [data-set=side]")
         self.assertEqual(self.page.run("return document.getAnimations().length"), 0)
+
+    def test_the_loupe_shows_exact_values(self):
+        card = self.card("moved.png")
+        self.page.run("document.querySelector(arguments[0] + ' a[data-pixel]').click()", card)
+        texts = {side: self.page.run("return document.querySelector(arguments[0]).textContent",
+                                     f"{card} .glass.{side} output").split("\n") for side in ("left", "right")}
+        row = self.page.run("return [...document.querySelector(arguments[0] + ' .worst tbody tr').cells]"
+                            ".map(c => c.textContent)", card)
+        self.assertEqual(len(texts["left"]), 3)
+        for column, side in ((3, "left"), (4, "right")):
+            for listed, shown in zip(row[column].split(), texts[side]):
+                self.assertAlmostEqual(float(listed), float(shown), delta=1e-5)
+        self.assertIn("Pixel " + row[0], self.page.run(
+            "return document.querySelector(arguments[0] + ' .loupe .at').textContent", card))
+        drawn = self.page.run("""
+            const canvas = document.querySelector(arguments[0] + ' .glass.left canvas');
+            return [...canvas.getContext('2d').getImageData(55, 55, 1, 1).data].slice(0, 3);""", card)
+        decoded = [float(v) for v in texts["left"]]
+        for byte, value in zip(drawn, decoded):
+            encoded = 12.92 * value if value <= 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055
+            self.assertAlmostEqual(byte, 255 * encoded, delta=1)
+
+    def test_rings_can_be_switched_off(self):
+        card = self.card("moved.png")
+        shown = ("return getComputedStyle(document.querySelector(arguments[0] + ' .heat .frame svg')).display")
+        self.assertNotEqual(self.page.run(shown, card), "none")
+        self.page.run("document.querySelector(arguments[0] + ' .rings input').click()", card)
+        self.assertEqual(self.page.run(shown, card), "none")
+
+    def test_nothing_is_wider_than_a_telephone(self):
+        self.page.run("document.body.style.width = '400px'")
+        wide = self.page.run("""
+            return [...document.querySelectorAll('article *')].filter(e => e.offsetParent &&
+                !e.closest('.table') && e.getBoundingClientRect().right > 402).map(e => e.className || e.tagName);""")
+        self.assertEqual(wide, [])
 
     def test_keys_go_from_pair_to_pair(self):
         focused = "return document.activeElement.dataset.name || ''"
