@@ -15,6 +15,8 @@ struct LoadedMesh {
     Mesh mesh;
     /// Faces dropped because corners coincide or all are on one line, so that no triangle is left.
     std::uint64_t degenerate = 0;
+    /// What was left out or put right, one sentence each, with the file and the place in it.
+    std::vector<std::string> warnings;
 };
 
 /// Reads a mesh by the ending of `path`. Faces of more than three corners are split (a convex one

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "model/io/text_scanner.h"
 
@@ -32,6 +33,7 @@ class ObjReader {
     }
 
     PolygonSoup read() {
+        soup_.first_index = 1;
         while (!scanner_.at_end()) {
             statement(scanner_.word());
             scanner_.next_line();
@@ -44,12 +46,15 @@ class ObjReader {
   private:
     void statement(std::string_view keyword) {
         if (keyword == "v") {
-            soup_.vertices.push_back(vector("a coordinate"));
+            soup_.vertices.push_back(vector("a coordinate", soup_.vertices, soup_.bad_vertices));
         } else if (keyword == "vn") {
-            soup_.normals.push_back(vector("a component of the normal"));
+            soup_.normals.push_back(
+                vector("a component of the normal", soup_.normals, soup_.bad_normals));
         } else if (keyword == "vt") {
-            const double u = scanner_.number("a texture coordinate");
-            const double v = scanner_.at_line_end() ? 0 : scanner_.number("a texture coordinate");
+            const char* what = "a texture coordinate";
+            const double u = scanner_.any_number(what);
+            const double v = scanner_.at_line_end() ? 0 : scanner_.any_number(what);
+            note_bad(std::isfinite(u) && std::isfinite(v), what, soup_.uvs.size(), soup_.bad_uvs);
             soup_.uvs.emplace_back(u, v);
         } else if (keyword == "f" || keyword == "fo") {
             face();
@@ -59,33 +64,41 @@ class ObjReader {
         }
     }
 
-    /// Weights and colours may follow in the same line; they are checked to be numbers all the
-    /// same.
-    Vec3d vector(const char* what) {
-        const double x = scanner_.number(what);
-        const double y = scanner_.number(what);
-        const double z = scanner_.number(what);
-        while (!scanner_.at_line_end()) scanner_.number("a number");
-        return {x, y, z};
+    using Bad = std::map<std::uint32_t, std::string>;
+
+    /// Remembers a number that is not finite, and where it stands: an error where it is used.
+    void note_bad(bool finite, const char* what, std::size_t index, Bad& bad) {
+        if (!finite)
+            bad.emplace(static_cast<std::uint32_t>(index),
+                        scanner_.error(fmt::format("{} is not finite", what)).what());
     }
 
-    /// `f 1 2 3`, `f 1/1 2/2 3/3`, `f 1//1 2//2 3//3`, `f 1/1/1 2/2/2 3/3/3`
+    /// Weights and colours may follow in the same line; they are checked to be numbers all the
+    /// same.
+    Vec3d vector(const char* what, const std::vector<Vec3d>& list, Bad& bad) {
+        const double x = scanner_.any_number(what);
+        const double y = scanner_.any_number(what);
+        const double z = scanner_.any_number(what);
+        while (!scanner_.at_line_end()) scanner_.any_number("a number");
+        const Vec3d read(x, y, z);
+        note_bad(is_finite(read), what, list.size(), bad);
+        return read;
+    }
+
+    /// `f 1 2 3`, `f 1/1 2/2 3/3`, `f 1//1 2//2 3//3`, `f 1/1/1 2/2/2 3/3/3`; what stands behind no
+    /// slash, or behind one alone (`1//`, `1/1/`), is not given.
     void face() {
         const std::size_t begin = soup_.corners.size();
         soup_.face_lines.push_back(scanner_.line());
         while (!scanner_.at_line_end()) {
-            soup_.corners.push_back(index(soup_.vertices.size(), "a vertex index"));
+            soup_.corners.push_back(
+                index(scanner_.integer("a vertex index"), soup_.vertices.size(), "a vertex index"));
             std::uint32_t uv = none;
             std::uint32_t normal = none;
             if (scanner_.skip('/')) {
-                if (!scanner_.skip('/')) {
-                    uv = index(soup_.uvs.size(), "a texture vertex index");
-                    if (scanner_.skip('/')) {
-                        normal = index(soup_.normals.size(), "a normal index");
-                    }
-                } else {
-                    normal = index(soup_.normals.size(), "a normal index");
-                }
+                uv = optional_index(soup_.uvs.size(), "a texture vertex index");
+                if (scanner_.skip('/'))
+                    normal = optional_index(soup_.normals.size(), "a normal index");
             }
             append(soup_.uv_corners, uv);
             append(soup_.normal_corners, normal);
@@ -97,15 +110,23 @@ class ObjReader {
     }
 
     /// An index from 0. One that is too large is found later: a file may give its faces first.
-    std::uint32_t index(std::size_t count, const char* what) {
-        const std::int64_t number = scanner_.integer(what);
+    std::uint32_t index(std::int64_t number, std::size_t count, const char* what) const {
         const std::int64_t index =
             number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
-        if (number == 0 || index < 0 || index >= none) {
+        if (number == 0 || index < 0 || index >= before_the_first) {
             throw scanner_.error(
                 fmt::format("{} is out of range: {} (there are {} so far)", what, number, count));
         }
         return static_cast<std::uint32_t>(index);
+    }
+
+    /// The index of a texture vertex or normal, `none` where none is given.
+    std::uint32_t optional_index(std::size_t count, const char* what) {
+        if (scanner_.at_word_end() || scanner_.next_is('/')) return none;
+        const std::int64_t number = scanner_.integer(what);
+        // Back from the end of a list that may be missing from the file altogether.
+        if (number < 0 && count == 0) return before_the_first;
+        return index(number, count, what);
     }
 
     /// The list stays empty until something stands in it, as in most files it never does.

@@ -20,8 +20,7 @@ class TextData {
 
     double number(PlyType type) {
         if (scanner_.at_end()) throw scanner_.error("the file is truncated");
-        // Only a coordinate has to be finite, but nobody writes other values in text.
-        const double value = scanner_.number("a number");
+        const double value = scanner_.any_number("a number");
         if (type < PlyType::float32 && value != std::floor(value)) {
             throw scanner_.error("a whole number expected");
         }
@@ -130,6 +129,8 @@ class PlyReader {
             } else if (element.name == "face" && !has_faces) {
                 faces(element);
                 has_faces = true;
+            } else if (element.name == "tristrips") {
+                strips(element);
             } else {
                 for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
                     for (const PlyProperty& property : element.properties) skip(property);
@@ -180,10 +181,7 @@ class PlyReader {
                     skip(property);
                 } else {
                     const double value = data_.number(property.type);
-                    if (!std::isfinite(value)) {
-                        throw data_.error(
-                            fmt::format("'{}' of vertex {} is not finite", property.name, i));
-                    }
+                    if (!std::isfinite(value)) note_bad(property.name, targets[k], i);
                     values[static_cast<std::size_t>(targets[k])] = value;
                 }
             }
@@ -198,11 +196,23 @@ class PlyReader {
         }
     }
 
+    /// An error where a face uses the vertex.
+    void note_bad(const std::string& property, Target target, std::uint64_t vertex) {
+        auto& bad = target < Target::nx  ? soup_.bad_vertices
+                    : target < Target::u ? soup_.bad_normals
+                                         : soup_.bad_uvs;
+        bad.emplace(
+            static_cast<std::uint32_t>(vertex),
+            data_.error(fmt::format("'{}' of vertex {} is not finite", quotable(property), vertex))
+                .what());
+    }
+
+    static bool is_corners(const PlyProperty& property) {
+        return property.is_list &&
+               (property.name == "vertex_indices" || property.name == "vertex_index");
+    }
+
     void faces(const PlyElement& element) {
-        const auto is_corners = [](const PlyProperty& property) {
-            return property.is_list &&
-                   (property.name == "vertex_indices" || property.name == "vertex_index");
-        };
         for (std::uint64_t i = 0; i < element.count; ++i) {
             bool read = false;
             for (const PlyProperty& property : element.properties) {
@@ -217,6 +227,50 @@ class PlyReader {
                 throw FileError(fmt::format("{}: the faces have no vertex_indices", name_));
             }
         }
+    }
+
+    /// Strips of triangles: each corner makes one with the two before it, turned every other time;
+    /// -1 begins a new strip. Corners written twice, which join strips, make none.
+    void strips(const PlyElement& element) {
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            for (const PlyProperty& property : element.properties) {
+                if (is_corners(property)) {
+                    strip(property);
+                } else {
+                    skip(property);
+                }
+            }
+        }
+    }
+
+    void strip(const PlyProperty& property) {
+        const std::uint64_t count = length(property);
+        std::array<std::uint32_t, 2> last{none, none};
+        bool turned = false;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const double number = data_.number(property.type);
+            if (number == -1) {
+                last = {none, none};
+                turned = false;
+                continue;
+            }
+            if (!(number >= 0 && number < none) || number != std::floor(number))
+                throw data_.error(
+                    fmt::format("a vertex index of a strip is out of range: {}", number));
+            const auto corner = static_cast<std::uint32_t>(number);
+            if (last[0] != none) {
+                const bool is_joint = corner == last[0] || corner == last[1] || last[0] == last[1];
+                if (!is_joint) triangle(last[turned ? 1 : 0], last[turned ? 0 : 1], corner);
+                turned = !turned;
+            }
+            last = {last[1], corner};
+        }
+    }
+
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if constexpr (requires { data_.line(); }) soup_.face_lines.push_back(data_.line());
+        soup_.corners.insert(soup_.corners.end(), {a, b, c});
+        soup_.face_ends.push_back(soup_.corners.size());
     }
 
     void corners(const PlyProperty& property, std::uint64_t face) {

@@ -19,6 +19,11 @@ class Builder {
         if (std::max({soup_.vertices.size(), soup_.normals.size(), soup_.uvs.size()}) >= none) {
             throw FileError(fmt::format("{}: there are more than 2^32 vertices", name_));
         }
+        loaded_.warnings = std::move(soup_.warnings);
+        drop_absent(soup_.normals.empty(), soup_.normal_corners,
+                    "names normals, but the file has none: they are averages of the faces");
+        drop_absent(soup_.uvs.empty(), soup_.uv_corners,
+                    "names texture coordinates, but the file has none");
         loaded_.mesh.faces.reserve(soup_.corners.size() / 3);
         const std::size_t faces =
             soup_.face_ends.empty() ? soup_.corners.size() / 3 : soup_.face_ends.size();
@@ -28,6 +33,11 @@ class Builder {
             add(face, begin, end);
             begin = end;
         }
+        // What no face uses is no part of the mesh, and must not count in its size.
+        for (const auto& [index, problem] : soup_.bad_vertices)
+            soup_.vertices[index] = soup_.vertices[soup_.corners.front()];
+        for (const auto& [index, problem] : soup_.bad_normals) soup_.normals[index] = Vec3d(0.0);
+        for (const auto& [index, problem] : soup_.bad_uvs) soup_.uvs[index] = Vec2d(0.0);
         Mesh& mesh = loaded_.mesh;
         mesh.vertices = std::move(soup_.vertices);
         mesh.normals = std::move(soup_.normals);
@@ -38,10 +48,31 @@ class Builder {
     }
 
   private:
+    /// Indices into a list that the file does not have say nothing: one warning, at the first.
+    void drop_absent(bool absent, std::vector<std::uint32_t>& corners, std::string_view problem) {
+        if (!absent || corners.empty()) return;
+        const auto given = std::find_if(corners.begin(), corners.end(),
+                                        [](std::uint32_t corner) { return corner != none; });
+        const auto at = static_cast<std::uint64_t>(given - corners.begin());
+        std::size_t face = at / 3;
+        if (!soup_.face_ends.empty())
+            face = static_cast<std::size_t>(
+                std::upper_bound(soup_.face_ends.begin(), soup_.face_ends.end(), at) -
+                soup_.face_ends.begin());
+        loaded_.warnings.push_back(fmt::format("{}: the face {}", place(face), problem));
+        corners.clear();
+    }
+
     void add(std::size_t face, std::size_t begin, std::size_t end) {
         check(face, begin, end, soup_.corners, soup_.vertices.size(), "vertex");
         check(face, begin, end, soup_.normal_corners, soup_.normals.size(), "normal");
         check(face, begin, end, soup_.uv_corners, soup_.uvs.size(), "texture vertex");
+        refuse_bad(begin, end, soup_.corners, soup_.bad_vertices);
+        const bool own_normals = !soup_.normal_corners.empty();
+        refuse_bad(begin, end, own_normals ? soup_.normal_corners : soup_.corners,
+                   soup_.bad_normals);
+        const bool own_uvs = !soup_.uv_corners.empty();
+        refuse_bad(begin, end, own_uvs ? soup_.uv_corners : soup_.corners, soup_.bad_uvs);
         triangles_.clear();
         const std::span<const std::uint32_t> corners(soup_.corners.data() + begin, end - begin);
         try {
@@ -61,9 +92,23 @@ class Builder {
         for (std::size_t i = begin; i < end; ++i) {
             if (indices[i] < count) continue;
             if (indices[i] == none && &indices != &soup_.corners) continue;
-            throw FileError(fmt::format("{}: the face refers to {} {} of {} (counted from 0)",
-                                        place(face), what, indices[i], count));
+            // An index from the end was too far from it: the reader could not know yet.
+            const std::string number =
+                indices[i] == before_the_first
+                    ? "before the first"
+                    : std::to_string(std::uint64_t{indices[i]} + soup_.first_index);
+            throw FileError(fmt::format("{}: the face names {} {}, but there are {}{}", place(face),
+                                        what, number, count,
+                                        soup_.first_index == 0 ? ", counted from 0" : ""));
         }
+    }
+
+    static void refuse_bad(std::size_t begin, std::size_t end,
+                           const std::vector<std::uint32_t>& indices,
+                           const std::map<std::uint32_t, std::string>& bad) {
+        if (bad.empty()) return;
+        for (std::size_t i = begin; i < end; ++i)
+            if (const auto at = bad.find(indices[i]); at != bad.end()) throw FileError(at->second);
     }
 
     void append(const std::vector<std::uint32_t>& indices, std::size_t begin,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,17 @@ struct PolygonSoup {
     std::vector<std::uint64_t> face_ends;
     /// For each face the line it stands on, for messages; empty: faces are counted from 0 instead.
     std::vector<std::uint32_t> face_lines;
+
+    /// What the format counts its first vertex as: messages count as the file does.
+    std::uint32_t first_index = 0;
+    /// Vertices, normals and uvs with a number that is not finite, with what to say of the first
+    /// face that uses one. What no face uses does not matter.
+    std::map<std::uint32_t, std::string> bad_vertices, bad_normals, bad_uvs;
+    std::vector<std::string> warnings;
 };
+
+/// An index that counts back from the end of a list that is empty so far.
+inline constexpr std::uint32_t before_the_first = none - 1;
 
 /// Triangulates, leaves out degenerate faces and counts them. Throws FileError naming `name` and
 /// the place when an index is out of range or there is no face at all.

@@ -18,9 +18,29 @@ std::uint32_t count_of(std::string_view bytes, const std::string& name) {
     return reader.read<std::uint32_t>();
 }
 
+std::size_t bytes_of(std::uint32_t triangles) {
+    return header_bytes + 4 + triangle_bytes * std::size_t{triangles};
+}
+
+/// A text has no NUL; the head of a binary file nearly always has one.
+bool is_text(std::string_view bytes) {
+    const std::string_view word = bytes.substr(0, 5);
+    return (word == "solid" || word == "SOLID" || word == "Solid") &&
+           bytes.substr(0, header_bytes + 4).find('\0') == std::string_view::npos;
+}
+
+std::string size_problem(std::string_view bytes, const std::string& name) {
+    return fmt::format("{}: byte {}: the file has {} bytes, but {} triangles need {}", name,
+                       header_bytes, bytes.size(), count_of(bytes, name),
+                       bytes_of(count_of(bytes, name)));
+}
+
+/// By its length; one with more bytes than its triangles need is binary, too, unless it is a text.
 bool is_binary(std::string_view bytes, const std::string& name) {
-    return bytes.size() >= header_bytes + 4 &&
-           bytes.size() == header_bytes + 4 + triangle_bytes * count_of(bytes, name);
+    if (bytes.size() < header_bytes + 4) return false;
+    const std::uint32_t count = count_of(bytes, name);
+    return bytes.size() == bytes_of(count) ||
+           (bytes.size() > bytes_of(count) && count > 0 && !is_text(bytes));
 }
 
 PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
@@ -30,6 +50,8 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
     reader.skip(header_bytes);
     const std::uint32_t count = reader.read<std::uint32_t>();
     if (count > none / 3) throw reader.error("there are too many triangles");
+    if (bytes.size() > bytes_of(count))
+        soup.warnings.push_back(size_problem(bytes, name) + ": the rest is skipped");
     soup.corners.reserve(std::size_t{3} * count);
     for (std::uint32_t i = 0; i < count; ++i) {
         reader.skip(12);  // the normal
@@ -116,16 +138,13 @@ PolygonSoup read_stl(std::string_view bytes, const std::string& name) {
     TextScanner scanner(bytes, name);
     scanner.at_end();
     const std::string_view first = scanner.word();
-    if (first == "solid" || first == "SOLID" || first == "Solid") {
+    const bool begins_as_text = first == "solid" || first == "SOLID" || first == "Solid";
+    const bool has_head = bytes.size() >= header_bytes + 4;
+    if (begins_as_text && (!has_head || !bytes.starts_with(first) || is_text(bytes)))
         return TextReader(bytes, name).read();
-    }
-    if (bytes.size() < header_bytes + 4) {
+    if (!has_head)
         throw FileError(fmt::format("{}: byte {}: the file is truncated", name, bytes.size()));
-    }
-    throw FileError(
-        fmt::format("{}: byte {}: the file has {} bytes, but {} triangles need {}", name,
-                    header_bytes, bytes.size(), count_of(bytes, name),
-                    header_bytes + 4 + triangle_bytes * std::size_t{count_of(bytes, name)}));
+    throw FileError(size_problem(bytes, name));
 }
 
 }  // namespace lancer::io

@@ -100,6 +100,15 @@ std::string_view TextScanner::word() {
 double TextScanner::number(const char* what) {
     at_line_end();
     const char* from = at_;
+    const double value = any_number(what);
+    if (std::isfinite(value)) return value;
+    const std::string_view text(from, static_cast<std::size_t>(at_ - from));
+    throw this->error(fmt::format("{} is not finite: '{}'", what, quotable(text)));
+}
+
+double TextScanner::any_number(const char* what) {
+    at_line_end();
+    const char* from = at_;
     if (at_ != end_ && *at_ == '+' && at_ + 1 != end_ && at_[1] != '-') ++at_;
     double value = 0;
     const auto [after, error] = std::from_chars(at_, end_, value);
@@ -107,11 +116,9 @@ double TextScanner::number(const char* what) {
     const std::string_view text(at_, static_cast<std::size_t>(after - at_));
     at_ = after;
     if (error == std::errc::result_out_of_range) {
-        if (is_tiny(text)) return text.starts_with('-') ? -0.0 : 0.0;
-        value = HUGE_VAL;
-    }
-    if (!std::isfinite(value)) {
-        throw this->error(fmt::format("{} is not finite: '{}'", what, quotable(text)));
+        const bool negative = text.starts_with('-');
+        if (is_tiny(text)) return negative ? -0.0 : 0.0;
+        return negative ? -HUGE_VAL : HUGE_VAL;
     }
     return value;
 }

@@ -38,10 +38,15 @@ class TextScanner {
     /// FileError naming `what` when there is none, it is not finite or too large, or a letter
     /// follows.
     double number(const char* what);
+    /// The same, but NaN, infinity and what is too large for a double are numbers, too.
+    double any_number(const char* what);
     /// The whole number that begins right here; no digit, letter or point may follow it.
     std::int64_t integer(const char* what);
     /// True, and `c` is skipped, when it is the very next character.
     bool skip(char c);
+    bool next_is(char c) const { return at_ != end_ && *at_ == c; }
+    /// A blank, a comment or the end of the line follows.
+    bool at_word_end() const { return is_word_end(at_); }
 
     std::uint32_t line() const { return line_; }
     std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }

@@ -99,12 +99,50 @@ TEST(Obj, DropsAndCountsDegenerateFaces) {
     EXPECT_EQ(loaded.mesh.faces.size(), 2u);
 }
 
+TEST(Obj, WhatStandsBehindASlashMayBeLeftOut) {
+    LoadedMesh loaded = obj(triangle + "f 1// 2// 3//\nf 1/ 2/ 3/ # end\n");
+    EXPECT_THAT(loaded.mesh.faces, ElementsAre(Mesh::Corners{0, 1, 2}, Mesh::Corners{0, 1, 2}));
+    EXPECT_TRUE(loaded.mesh.normals.empty());
+    EXPECT_TRUE(loaded.warnings.empty());
+    loaded = obj(triangle + "vt 0 0\nvt 1 0\nf 1/2/ 2/1/ 3/1/\n");
+    EXPECT_THAT(loaded.mesh.uv_faces, ElementsAre(Mesh::Corners{1, 0, 0}));
+    EXPECT_TRUE(loaded.mesh.normal_faces.empty());
+}
+
+TEST(Obj, IndicesOfAnAbsentListSayNothingButAWarning) {
+    LoadedMesh loaded = obj(triangle + "f 1 2 3\nf 1//1 2//2 3//3\nf 1//-1 2//-1 3//-1\n");
+    EXPECT_EQ(loaded.mesh.faces.size(), 3u);
+    EXPECT_TRUE(loaded.mesh.normals.empty());
+    EXPECT_TRUE(loaded.mesh.normal_faces.empty());
+    EXPECT_THAT(loaded.warnings,
+                ElementsAre("t.obj:5: the face names normals, but the file has none: they are "
+                            "averages of the faces"));
+    loaded = obj(triangle + "f 1/1 2/2 3/3\n");
+    EXPECT_TRUE(loaded.mesh.uvs.empty());
+    EXPECT_EQ(loaded.warnings.size(), 1u);
+}
+
+TEST(Obj, NumbersThatNobodyUsesNeedNotBeFinite) {
+    const LoadedMesh loaded = obj("v 9 nan inf\nv 0 0 0 nan nan nan\nv 1 0 0 1 1 1\nv 0 1 0\n" +
+                                  std::string("vt nan 0\nvn 0 -nan 0\nvn 0 0 1\n"
+                                              "f 2//2 3//2 4//2\n"));
+    EXPECT_THAT(loaded.mesh.faces, ElementsAre(Mesh::Corners{1, 2, 3}));
+    // A vertex outside the mesh must not count in its size.
+    EXPECT_EQ(loaded.mesh.vertices[0], Vec3d(0, 0, 0));
+    EXPECT_TRUE(is_finite(loaded.mesh.normals[0]));
+    EXPECT_THAT(obj_error(triangle + "vn 0 nan 0\nf 1//1 2//1 3//1\n"),
+                "t.obj:4: a component of the normal is not finite");
+    EXPECT_THAT(obj_error(triangle + "vt 0 inf\nf 1/1 2/1 3/1\n"),
+                "t.obj:4: a texture coordinate is not finite");
+}
+
 TEST(Obj, NamesTheLineOfAMistake) {
     EXPECT_THAT(obj_error("v 0 0 0\nv 1 abc 2\n"), StartsWith("t.obj:2: a coordinate expected"));
     EXPECT_THAT(obj_error("v 0 0\n"), StartsWith("t.obj:1: a coordinate expected, but the line"));
-    EXPECT_THAT(obj_error("\nv 0 nan 0\n"), StartsWith("t.obj:2: a coordinate is not finite"));
-    EXPECT_THAT(obj_error("v 0 inf 0\n"), HasSubstr("not finite"));
-    EXPECT_THAT(obj_error("v 0 1e999 0\n"), HasSubstr("not finite"));
+    const std::string used = "v 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(obj_error("\nv 0 nan 0\n" + used), "t.obj:2: a coordinate is not finite");
+    EXPECT_THAT(obj_error("v 0 inf 0\n" + used), HasSubstr("not finite"));
+    EXPECT_THAT(obj_error("v 0 1e999 0\n" + used), HasSubstr("not finite"));
     EXPECT_THAT(obj_error("v 0 0x10 0\n"), HasSubstr("expected, not '0x10'"));
     EXPECT_THAT(obj_error("v 0 1,5 0\n"), HasSubstr("expected, not '1,5'"));
     EXPECT_THAT(obj_error("vn 0 0 zero\n"), StartsWith("t.obj:1: a component of the normal"));
@@ -112,11 +150,17 @@ TEST(Obj, NamesTheLineOfAMistake) {
     EXPECT_THAT(obj_error(triangle + "f 1 2\n"), StartsWith("t.obj:4: a face has at least three"));
     EXPECT_THAT(obj_error(triangle + "f 1 2 0\n"), StartsWith("t.obj:4: a vertex index is out"));
     EXPECT_THAT(obj_error(triangle + "f 1 2 -4\n"), StartsWith("t.obj:4: a vertex index is out"));
-    EXPECT_THAT(obj_error(triangle + "\nf 1 2 4\n"), StartsWith("t.obj:5: the face refers to"));
-    EXPECT_THAT(obj_error(triangle + "f 1/1 2/1 3/1\n"), HasSubstr("texture vertex 0 of 0"));
+    EXPECT_EQ(obj_error(triangle + "\nf 1 2 4\n"),
+              "t.obj:5: the face names vertex 4, but there are 3");
+    EXPECT_EQ(obj_error(triangle + "vt 0 0\nf 1/1 2/2 3/1\n"),
+              "t.obj:5: the face names texture vertex 2, but there are 1");
+    EXPECT_EQ(obj_error("f -1 -2 -3\n" + triangle),
+              "t.obj:1: a vertex index is out of range: -1 (there are 0 so far)");
+    EXPECT_EQ(obj_error(triangle + "f 1//-1 2//-1 3//-1\nvn 0 0 1\n"),
+              "t.obj:4: the face names normal before the first, but there are 1");
     EXPECT_THAT(obj_error(triangle + "f 1 2 99999999999\n"), HasSubstr("out of range"));
     EXPECT_THAT(obj_error(triangle + "f 1 2 99999999999999999999\n"), HasSubstr("expected"));
-    EXPECT_THAT(obj_error(triangle + "f 1/ 2 3\n"), HasSubstr("texture vertex index expected"));
+    EXPECT_THAT(obj_error(triangle + "f 1/x 2 3\n"), HasSubstr("texture vertex index expected"));
     EXPECT_THAT(obj_error(triangle + "f 1.5 2 3\n"), HasSubstr("vertex index expected"));
     EXPECT_THAT(obj_error("<html>\n"), StartsWith("t.obj:1: this is not a statement"));
     EXPECT_THAT(obj_error("\x7f"
@@ -131,8 +175,9 @@ TEST(Obj, ATinyNumberIsZeroWhateverItLooksLike) {
     const LoadedMesh loaded = obj("v 1e-999 -1e-400 0." + zeros + "1\nv 1 0 0\nv 0 1 0" + zeros +
                                   "." + zeros + "e-400\nf 1 2 3\n");
     EXPECT_EQ(loaded.mesh.vertices[0], Vec3d(0, 0, 0));
-    EXPECT_THAT(obj_error("v 1" + zeros + " 0 0\n"), HasSubstr("not finite"));
-    EXPECT_THAT(obj_error("v 1e99999999999999999999 0 0\n"), HasSubstr("not finite"));
+    const std::string used = "v 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_THAT(obj_error("v 1" + zeros + " 0 0\n" + used), HasSubstr("not finite"));
+    EXPECT_THAT(obj_error("v 1e99999999999999999999 0 0\n" + used), HasSubstr("not finite"));
 }
 
 TEST(Obj, NeverCrashesOnDamage) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <random>
@@ -175,10 +176,12 @@ TEST(Ply, SplitsFacesOfMoreCorners) {
 TEST(Ply, NamesThePlaceOfAMistake) {
     const auto vertices = [](const std::string& text) { return ply_error(text_ply("", text)); };
     EXPECT_THAT(vertices("0 0 0\n1 x 0\n0 1 0\n"), StartsWith("t.ply:11: a number expected"));
-    EXPECT_THAT(vertices("0 0 0\n1 nan 0\n0 1 0\n"), StartsWith("t.ply:11: a number is not fin"));
+    EXPECT_THAT(vertices("0 0 0\n1 nan 0\n0 1 0\n"),
+                StartsWith("t.ply:11: 'y' of vertex 1 is not"));
     EXPECT_THAT(vertices("0 0 0\n"), HasSubstr("truncated"));
     const auto faces = [](const std::string& text) { return ply_error(text_ply("", plain, text)); };
-    EXPECT_THAT(faces("3 0 1 3\n"), StartsWith("t.ply:13: the face refers to vertex 3 of 3"));
+    EXPECT_EQ(faces("3 0 1 3\n"),
+              "t.ply:13: the face names vertex 3, but there are 3, counted from 0");
     EXPECT_THAT(faces("3 0 1 -1\n"), StartsWith("t.ply:13: a vertex index of face 0"));
     EXPECT_THAT(faces("3 0 1 1.5\n"), StartsWith("t.ply:13: a whole number"));
     EXPECT_THAT(faces("2 0 1\n"), StartsWith("t.ply:13: face 0 has 2 corners"));
@@ -232,6 +235,39 @@ TEST(Ply, RefusesNumbersThatAreNotFiniteInBinaryData) {
     const std::size_t second_z = data + 13 + 13;
     bytes.replace(second_z, 4, packed(std::numeric_limits<float>::quiet_NaN(), false));
     EXPECT_THAT(ply_error(bytes), HasSubstr("'z' of vertex 1 is not finite"));
+}
+
+TEST(Ply, NumbersThatNobodyUsesNeedNotBeFinite) {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+        "float z\nproperty float quality\nelement face 1\nproperty list uchar int "
+        "vertex_indices\nend_header\n0 0 0 nan\n1 0 0 inf\n0 1 0 -nan\nnan 0 0 1\n3 0 1 2\n";
+    EXPECT_EQ(ply(text).mesh.faces.size(), 1u);
+    EXPECT_THAT(ply_error(text.substr(0, text.size() - 2) + "3\n"),
+                StartsWith("t.ply:14: 'x' of vertex 3 is not finite"));
+}
+
+TEST(Ply, ReadsStripsOfTriangles) {
+    const auto strips = [](const std::string& lists) {
+        return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float "
+               "y\nproperty float z\nelement tristrips " +
+               std::to_string(std::count(lists.begin(), lists.end(), '\n')) +
+               "\nproperty list int int vertex_indices\nend_header\n0 0 0\n0 1 0\n1 0 0\n1 1 "
+               "0\n2 0 0\n" +
+               lists;
+    };
+    using Faces = std::vector<Mesh::Corners>;
+    EXPECT_EQ(ply(strips("5 0 1 2 3 4\n")).mesh.faces, (Faces{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+    EXPECT_EQ(ply(strips("8 0 1 2 -1 1 2 3 4\n")).mesh.faces,
+              (Faces{{0, 1, 2}, {1, 2, 3}, {3, 2, 4}}));
+    // A corner written twice joins two strips, and turns no triangle.
+    EXPECT_EQ(ply(strips("6 0 1 2 2 3 4\n")).mesh.faces, (Faces{{0, 1, 2}, {3, 2, 4}}));
+    EXPECT_EQ(ply(strips("3 0 1 2\n3 2 1 3\n")).mesh.faces.size(), 2u);
+    EXPECT_EQ(ply(strips("3 0 1 2\n")).degenerate, 0u);
+    EXPECT_THAT(ply_error(strips("3 0 1 5\n")), HasSubstr("vertex 5, but there are 5"));
+    EXPECT_THAT(ply_error(strips("3 0 1 -2\n")), HasSubstr("a strip is out of range: -2"));
+    EXPECT_THAT(ply_error(strips("3 0 1.5 2\n")), HasSubstr("whole number"));
+    EXPECT_THAT(ply_error(strips("2 0 1\n")), HasSubstr("no faces"));
 }
 
 TEST(Ply, NeverCrashesOnDamage) {

@@ -152,7 +152,6 @@ TEST(Stl, NamesThePlaceOfAMistake) {
     std::vector<Triangle> triangles = tetrahedron;
     triangles[1][2][0] = std::numeric_limits<float>::infinity();
     EXPECT_THAT(stl_error(binary(triangles)), StartsWith("t.stl: byte 182: a coordinate is not"));
-    EXPECT_THAT(stl_error(binary(tetrahedron) + "x"), HasSubstr("but 4 triangles need 284"));
     EXPECT_THAT(stl_error(binary({})), HasSubstr("no faces"));
     EXPECT_THAT(stl_error(""), HasSubstr("truncated"));
     EXPECT_THAT(stl_error("hello"), HasSubstr("truncated"));
@@ -178,6 +177,21 @@ TEST(Stl, NeverCrashesOnDamage) {
                 EXPECT_THAT(error.what(), StartsWith("t.stl:"));
             }
         }
+    }
+}
+
+TEST(Stl, BytesBehindTheTrianglesAreAWarning) {
+    for (const char* header : {"made by hand", "solid x"}) {
+        std::string head = header;
+        head.resize(80, '\0');
+        const LoadedMesh loaded = stl(binary(tetrahedron, head) + std::string("\0\1", 2));
+        EXPECT_EQ(loaded.mesh.faces.size(), 4u);
+        EXPECT_THAT(loaded.warnings,
+                    testing::ElementsAre("t.stl: byte 80: the file has 286 bytes, but 4 triangles "
+                                         "need 284: the rest is skipped"));
+        EXPECT_TRUE(stl(binary(tetrahedron, head)).warnings.empty());
+        EXPECT_EQ(stl_error(binary(tetrahedron, head).substr(0, 283)),
+                  "t.stl: byte 80: the file has 283 bytes, but 4 triangles need 284");
     }
 }
 
