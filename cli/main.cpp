@@ -41,6 +41,10 @@ std::string unexpected_argument(const CLI::App& app, const std::string& otherwis
             rest, [](const std::string& argument) { return argument.starts_with("-"); });
         if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
         const std::string& word = *option;
+        if (word.starts_with("--width") || word.starts_with("--height") ||
+            word.starts_with("--res"))
+            return "'" + command->get_name() + "' has no option '" + word +
+                   "': the size of a picture is --size 640x480";
         Suggestion suggestion(word);
         for (const CLI::Option* known : command->get_options())
             for (const std::string& name : known->get_lnames()) suggestion.consider("--" + name);

@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "model/utf8.h"
+
 namespace lancer::cli {
 namespace {
 
@@ -83,7 +85,15 @@ std::size_t Terminal::show(std::vector<Diagnostic> found, const SourceMap& sourc
 }
 
 void Terminal::error(const std::string& message) const {
-    const std::string text = fmt::format("lancer: error: {}\n", message);
+    // What another program said stands indented in lines of its own.
+    constexpr std::string_view indented_line = "\n    ";
+    std::string text = "lancer: error: ";
+    std::string_view rest = message;
+    for (std::size_t end = 0; (end = rest.find(indented_line)) != std::string_view::npos;) {
+        text += printable(rest.substr(0, end)) + std::string(indented_line);
+        rest.remove_prefix(end + indented_line.size());
+    }
+    text += printable(rest) + "\n";
     put(colors_ ? with_colors(text) : text);
 }
 

@@ -58,14 +58,14 @@ void append(std::string& out, const Diagnostic& d, const SourceMap& sources) {
     static constexpr const char* label[] = {"error", "warning", "note"};
     const char* kind = label[static_cast<int>(d.severity)];
     if (d.where.file == SourceSpan::nowhere) {
-        out += fmt::format("lancer: {}: {}\n", kind, d.message);
+        out += fmt::format("lancer: {}: {}\n", kind, printable(d.message));
     } else {
         const auto [line, column] = sources.locate(d.where);
-        out += fmt::format("{}:{}:{}: {}: {}\n", sources.name(d.where.file), line, column, kind,
-                           d.message);
+        out += fmt::format("{}:{}:{}: {}: {}\n", printable(sources.name(d.where.file)), line,
+                           column, kind, printable(d.message));
         out += quote(d.where, sources);
     }
-    if (!d.hint.empty()) out += fmt::format("    hint: {}\n", d.hint);
+    if (!d.hint.empty()) out += fmt::format("    hint: {}\n", printable(d.hint));
     for (const Diagnostic& note : d.notes) append(out, note, sources);
 }
 

@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace lancer {
+namespace {
+
+/// Where the line that holds `from` ends: its LF, CRLF or CR, or the end of the text.
+std::size_t line_end(std::string_view text, std::size_t from) {
+    return std::min(text.find_first_of("\r\n", from), text.size());
+}
+
+}  // namespace
 
 std::uint32_t SourceMap::add(std::string name, std::string text) {
     files_.push_back({std::move(name), std::move(text), {}});
@@ -17,8 +25,10 @@ SourceMap::Position SourceMap::locate(const SourceSpan& span) const {
     const File& file = files_[span.file];
     if (file.line_starts.empty()) {
         file.line_starts.push_back(0);
-        for (std::size_t at = 0; (at = file.text.find('\n', at)) != std::string::npos;)
-            file.line_starts.push_back(static_cast<std::uint32_t>(++at));
+        for (std::size_t at = 0; (at = line_end(file.text, at)) < file.text.size();) {
+            at += std::string_view(file.text).substr(at).starts_with("\r\n") ? 2 : 1;
+            file.line_starts.push_back(static_cast<std::uint32_t>(at));
+        }
     }
     const auto after =
         std::upper_bound(file.line_starts.begin(), file.line_starts.end(), span.offset);
@@ -29,9 +39,7 @@ SourceMap::Position SourceMap::locate(const SourceSpan& span) const {
 std::string_view SourceMap::line_text(const SourceSpan& span) const {
     const std::string_view text = files_[span.file].text;
     const std::size_t begin = span.offset - (locate(span).column - 1);
-    std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
+    return text.substr(begin, line_end(text, begin) - begin);
 }
 
 }  // namespace lancer

@@ -33,7 +33,7 @@ class SourceMap {
         std::uint32_t column = 0;  ///< from 1, in bytes
     };
     Position locate(const SourceSpan& span) const;
-    /// The line on which the span starts, without its line ending (LF or CRLF).
+    /// The line on which the span starts, without its end (LF, CRLF or CR).
     std::string_view line_text(const SourceSpan& span) const;
 
   private:

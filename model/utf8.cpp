@@ -1,5 +1,7 @@
 #include "model/utf8.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -29,6 +31,21 @@ std::size_t sequence_length(std::string_view text) {
     return b >= low && b <= high && continues(2) && continues(3) ? 4 : 0;
 }
 
+/// Of a valid sequence.
+std::uint32_t code_point(std::string_view sequence) {
+    constexpr unsigned char first_bits[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
+    std::uint32_t code = static_cast<unsigned char>(sequence[0]) & first_bits[sequence.size()];
+    for (const char c : sequence.substr(1))
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3F);
+    return code;
+}
+
+/// Controls, ends of lines, and marks that turn the direction of writing.
+bool is_unseen(std::uint32_t code) {
+    return (code >= 0x80 && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
+           (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
 /// Eight bytes of ASCII without NUL.
 bool is_plain(std::uint64_t bytes) {
     constexpr std::uint64_t tops = 0x8080808080808080;
@@ -54,6 +71,28 @@ std::size_t find_invalid_utf8(std::string_view text, std::size_t from) {
         at += length;
     }
     return std::string_view::npos;
+}
+
+std::string printable(std::string_view text) {
+    std::string shown;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = sequence_length(text.substr(at));
+        const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
+        const auto first = static_cast<unsigned char>(character[0]);
+        if (character == "\n") {
+            shown += "\\n";
+        } else if (character == "\t") {
+            shown += "\\t";
+        } else if (length == 0 || first < 0x20 || first == 0x7F) {
+            shown += fmt::format("\\x{:02x}", first);
+        } else if (const std::uint32_t code = code_point(character); is_unseen(code)) {
+            shown += fmt::format("\\u{:04x}", code);
+        } else {
+            shown += character;
+        }
+        at += character.size();
+    }
+    return shown;
 }
 
 std::size_t count_characters(std::string_view text) {

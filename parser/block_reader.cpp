@@ -1,7 +1,9 @@
 #include "parser/block_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "parser/habits.h"
 #include "parser/suggest.h"
 
 namespace lancer {
@@ -17,6 +19,36 @@ std::string enumeration(const std::vector<std::string_view>& words) {
         all.append("'").append(words[i]).append("'");
     }
     return all;
+}
+
+/// What to write instead of a value that a property does not take.
+std::string hint_for_value(const Field& field, const Value& value) {
+    if (value.is(Value::Kind::text) && !field.words.empty()) {
+        Suggestion suggestion(value.text());
+        for (const std::string_view word : field.words) suggestion.consider(word);
+        return suggestion.hint();
+    }
+    const bool color = field.takes.starts_with("a colour");
+    if (color && value.is(Value::Kind::text)) {
+        const std::string_view called = habits::color_called(value.text());
+        return called.empty() ? "" : "colours have no names: write " + std::string(called);
+    }
+    if (color && value.is_number()) {
+        const std::string part = to_text(std::abs(value.number()));
+        return "a grey is written [" + part + ", " + part + ", " + part + "]";
+    }
+    if (field.name == "rotate" && value.is_vector(3)) {
+        // In this order, as other programs turn.
+        std::string turns;
+        for (unsigned i = 0; i < 3; ++i)
+            if (value.component(i) != 0)
+                turns += std::string(" rotate_") + "xyz"[i] + " " + to_text(value.component(i));
+        return "angles about the axes, one after the other, are written" +
+               (turns.empty() ? " rotate_x 0" : turns);
+    }
+    if (field.name == "rotate" && value.is_number())
+        return "about one of the axes: rotate_y " + to_text(value.number());
+    return {};
 }
 
 std::string_view word_of(Kind kind) {
@@ -96,11 +128,7 @@ bool BlockReader::read_property(Evaluator& evaluator, const ast::File& file,
     if (instead.empty()) instead = describe(value);
     Diagnostic* error =
         evaluator.report().error(Message::property_takes, place, field.name, field.takes, instead);
-    if (error != nullptr && value.is(Value::Kind::text) && !words.empty()) {
-        Suggestion suggestion(value.text());
-        for (const std::string_view word : words) suggestion.consider(word);
-        error->hint = suggestion.hint();
-    }
+    if (error != nullptr) error->hint = hint_for_value(field, value);
     return false;
 }
 
@@ -116,8 +144,19 @@ std::string_view BlockReader::report_unknown(Evaluator& evaluator, const ast::Fi
         suggestion.consider(field->name);
         all += (all.empty() ? "" : ", ") + std::string(field->name);
     }
-    if (error != nullptr)
-        error->hint = suggestion.empty() ? with_article(title) + " has " + all : suggestion.hint();
+    if (error != nullptr) {
+        const Vocabulary& vocabulary = evaluator.program().vocabulary;
+        const bool of_material =
+            known.knows(vocabulary.material) &&
+            vocabulary.block(vocabulary.material, no_symbol)->properties.knows(property.word);
+        const std::string_view instead = habits::instead_of(word);
+        error->hint = !suggestion.empty() ? suggestion.hint()
+                      : of_material
+                          ? "'" + std::string(word) + "' belongs to a material: material { " +
+                                std::string(word) + " ... }"
+                      : instead.empty() ? with_article(title) + " has " + all
+                                        : std::string(instead);
+    }
     for (const Field* field : known.fields())
         if (field->name == suggestion.word()) return field->name;
     return {};

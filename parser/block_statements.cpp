@@ -1,6 +1,8 @@
 // Runs the statements that are blocks or properties: what stands in files, groups and templates.
 #include "parser/block_reader.h"
+#include "parser/blocks/brightness.h"
 #include "parser/evaluator.h"
+#include "parser/habits.h"
 #include "parser/suggest.h"
 
 namespace lancer {
@@ -12,7 +14,10 @@ void Evaluator::execute_property(const ast::File& file, const ast::Statement& st
         const Field& field = known.field(known.index(statement.word));
         SourceSpan& first = word == "background" ? background_place : ambient_place;
         if (is_repeated(word, first, file.span(statement))) return;
-        BlockReader::read_property(*this, file, statement, field, &builder_.scene);
+        if (BlockReader::read_property(*this, file, statement, field, &builder_.scene))
+            warn_bright_light(
+                report_, file.span(statement.value),
+                word == "background" ? builder_.scene.background : builder_.scene.ambient);
         return;
     }
     const BlockWord& group = *vocabulary.block(vocabulary.group, no_symbol);
@@ -40,8 +45,22 @@ void Evaluator::execute_property(const ast::File& file, const ast::Statement& st
         for (const std::string_view reserved :
              {"include", "let", "param", "def", "for", "if", "assert", "print"})
             suggestion.consider(reserved);
-        error->hint = suggestion.hint();
+        const std::string_view instead = habits::instead_of(word);
+        error->hint = instead.empty() ? suggestion.hint() : instead;
     }
+}
+
+/// "image, render, camera, light, ...", each once.
+static std::string list_of_blocks(const Vocabulary& vocabulary) {
+    std::string all;
+    std::string_view last;
+    for (const BlockWord& block : vocabulary.blocks()) {
+        const std::string_view keyword = block.info->keyword;
+        if (keyword.empty() || keyword == last) continue;
+        all += (all.empty() ? "" : ", ") + std::string(keyword);
+        last = keyword;
+    }
+    return all;
 }
 
 void Evaluator::report_unknown_block(const ast::File& file, const ast::Statement& statement) {
@@ -64,6 +83,12 @@ void Evaluator::report_unknown_block(const ast::File& file, const ast::Statement
         if ((block.keyword == vocabulary.light) || !light)
             suggestion.consider(light ? block.info->kind : block.info->keyword);
     error->hint = suggestion.hint();
+    if (const std::string_view instead = habits::instead_of(text(wrong)); !instead.empty()) {
+        error->hint = instead;
+    } else if (suggestion.empty()) {
+        error->hint = light ? "lights are point, directional and spot"
+                            : "the blocks are " + list_of_blocks(vocabulary);
+    }
 }
 
 void Evaluator::execute_block(const ast::File& file, const ast::Statement& statement) {

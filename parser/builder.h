@@ -8,6 +8,7 @@
 
 #include "parser/ast.h"
 #include "parser/report.h"
+#include "parser/scan.h"
 #include "parser/vocabulary.h"
 
 namespace lancer::grammar {
@@ -39,6 +40,15 @@ class Builder {
     /// Length of the blanks and comments from `at` on.
     std::size_t blank_length(const char* at) const;
     void report_stray(const char* at);
+    /// Reports a `#` where a statement should stand; the length of what it spoils, its line.
+    std::size_t report_hash(const char* at);
+    /// Reports a word such as `var` before a name and `=`; its length with the blanks behind it, 0
+    /// when there is none.
+    std::size_t report_declarator(const char* at);
+    /// A colour or block written as another language would where a value should stand.
+    bool is_foreign_value(const char* at);
+    /// Throws where a statement of another language begins.
+    void refuse_foreign_statement(const char* at);
     void missing_open_brace(const char* at);
     void end_body(const char* at, bool closed);
 
@@ -142,7 +152,17 @@ class Builder {
     SourceSpan span(const char* begin, const char* end) const;
     std::string found_at(const char* at) const;
     SourceSpan span_of_token(const char* at) const;
-    void report(const Mark& mark, const SyntaxError& error);
+    Diagnostic* report(const Mark& mark, const SyntaxError& error);
+    // strays.cpp
+    std::string hint_for(const SyntaxError& error) const;
+    std::string value_hint(std::size_t at) const;
+    std::string_view text_of(const scan::Token& token) const {
+        return text_.substr(token.begin, token.end - token.begin);
+    }
+    scan::Token token_before(std::size_t at) const;
+    std::string_view until(char close, std::size_t at) const;
+    void report_assignment(const char* at);
+    SourceSpan place_of_value(Symbol name) const;
 
     ast::File& file_;
     std::string_view text_;
@@ -168,7 +188,8 @@ class Builder {
     const char* last_end_;  ///< of the last token of an expression
     const char* comment_open_ = nullptr;
     const char* string_open_ = nullptr;
-    bool cut_short_ = false;  ///< the text ended too early, and that was said
+    const char* declarator_end_ = nullptr;  ///< where a reported `var` was followed by a name
+    bool cut_short_ = false;                ///< the text ended too early, and that was said
 };
 
 }  // namespace lancer::grammar

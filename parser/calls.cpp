@@ -208,7 +208,7 @@ ast::File* Evaluator::load_script(const std::string& path, const SourceSpan& pla
     }
     if (loaded.file == nullptr) {
         incomplete_ = true;
-        report_.error(Message::file_unreadable, place, loaded.problem);
+        report_unreadable(path, place, loaded.problem);
     }
     return loaded.file.get();
 }

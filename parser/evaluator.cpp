@@ -85,7 +85,7 @@ std::shared_ptr<const io::LoadedMesh> Evaluator::load_mesh(const std::string& pa
             loaded.problem = error.what();
         }
     }
-    if (loaded.content == nullptr) report_.error(Message::file_unreadable, place, loaded.problem);
+    if (loaded.content == nullptr) report_unreadable(path, place, loaded.problem);
     return loaded.content;
 }
 
@@ -99,8 +99,15 @@ std::shared_ptr<const Image> Evaluator::load_image(const std::string& path, io::
             loaded.problem = error.what();
         }
     }
-    if (loaded.content == nullptr) report_.error(Message::file_unreadable, place, loaded.problem);
+    if (loaded.content == nullptr) report_unreadable(path, place, loaded.problem);
     return loaded.content;
+}
+
+void Evaluator::report_unreadable(const std::string& path, const SourceSpan& place,
+                                  const std::string& problem) {
+    Diagnostic* error = report_.error(Message::file_unreadable, place, problem);
+    if (error != nullptr && path.find_first_of("\n\t") != std::string::npos)
+        error->hint = "'\\n' and '\\t' in a string are a new line and a tab: write '/', or '\\\\'";
 }
 
 }  // namespace lancer

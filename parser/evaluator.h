@@ -57,6 +57,9 @@ class Evaluator {
                                                     const SourceSpan& place);
     std::shared_ptr<const Image> load_image(const std::string& path, io::ColorSpace space,
                                             const SourceSpan& place);
+    /// Reports a file that could not be read.
+    void report_unreadable(const std::string& path, const SourceSpan& place,
+                           const std::string& problem);
     /// The material of a shape or group that holds it itself; `none` after an error.
     std::uint32_t make_inline_material(const ast::File& file, const ast::Statement& statement);
     /// Reports a second camera of a name.
@@ -138,7 +141,9 @@ class Evaluator {
 
     // expressions.cpp
     void push_name(const ast::File& file, const ast::Step& step);
+    void warn_of_degrees(const ast::File& file, const ast::Step& call, std::string_view function);
     void push_call(const ast::File& file, const ast::Step& step);
+    SourceSpan place_of_definition(const SourceSpan& use, Symbol name) const;
     void report_undefined(Message message, const SourceSpan& place, Symbol name, bool functions);
     Value pop();
 

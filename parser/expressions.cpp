@@ -1,8 +1,10 @@
 // Evaluates expressions: postfix steps on a stack of values.
 #include <algorithm>
+#include <cmath>
 
 #include "model/srgb.h"
 #include "parser/evaluator.h"
+#include "parser/habits.h"
 #include "parser/suggest.h"
 
 namespace lancer {
@@ -27,10 +29,45 @@ static Value color_value(std::uint32_t rgb) {
     return {part(16), part(8), part(0)};
 }
 
+/// Where a name that means nothing here is defined in the same file: later, or in other braces.
+SourceSpan Evaluator::place_of_definition(const SourceSpan& use, Symbol name) const {
+    const ast::File* file = program_.main.source == use.file ? &program_.main : nullptr;
+    for (const auto& [path, script] : program_.scripts)
+        if (script.file != nullptr && script.file->source == use.file) file = script.file.get();
+    if (file == nullptr) return {};
+    using Kind = ast::Statement::Kind;
+    const Vocabulary& vocabulary = program_.vocabulary;
+    for (const ast::Statement& s : file->statements) {
+        const bool names_value = s.kind == Kind::block &&
+                                 (s.word == vocabulary.material || s.word == vocabulary.texture);
+        if (s.name == name &&
+            (names_value || s.kind == Kind::let || s.kind == Kind::param || s.kind == Kind::def))
+            return file->name_span(s);
+    }
+    return {};
+}
+
 void Evaluator::report_undefined(Message message, const SourceSpan& place, Symbol name,
                                  bool functions) {
     Diagnostic* error = report_.error(message, place, text(name));
     if (error == nullptr) return;
+    if (const SourceSpan later = place_of_definition(place, name);
+        later.file != SourceSpan::nowhere) {
+        const bool is_later = later.offset > place.offset;
+        error->notes.insert(
+            error->notes.begin(),
+            Report::note(is_later ? Message::defined_later : Message::defined_elsewhere, later));
+        if (is_later) error->hint = "a name is defined before its use";
+        return;
+    }
+    if (const std::string_view color = habits::color_called(text(name)); !color.empty()) {
+        error->hint = "colours have no names: write " + std::string(color);
+        return;
+    }
+    if (const std::string_view instead = habits::instead_of(text(name)); !instead.empty()) {
+        error->hint = instead;
+        return;
+    }
     Suggestion suggestion(text(name));
     scopes_.for_each_visible([&](const Binding& binding) {
         if ((binding.kind == Binding::Kind::value) != functions)
@@ -75,6 +112,22 @@ static std::string count_text(std::size_t least, std::size_t most) {
     return text + (text == "1" ? " argument" : " arguments");
 }
 
+/// `sin(90)`: an angle that can only be meant in degrees, as a number written in place.
+void Evaluator::warn_of_degrees(const ast::File& file, const ast::Step& call,
+                                std::string_view function) {
+    if (function != "sin" && function != "cos" && function != "tan") return;
+    constexpr double least = 10;
+    const ast::Step& argument = (&call)[-1];
+    if (argument.op != Op::number) return;
+    const double angle = argument.number();
+    if (std::abs(angle) < least || angle != std::floor(angle)) return;
+    const std::string degrees = to_text(angle);
+    Diagnostic* warning =
+        report_.warning(Message::angle_of_degrees, file.span(call), function, degrees);
+    if (warning != nullptr)
+        warning->hint = "of degrees: " + std::string(function) + "(radians(" + degrees + "))";
+}
+
 void Evaluator::push_call(const ast::File& file, const ast::Step& step) {
     const Symbol name = step.low();
     const std::size_t count = step.high();
@@ -98,6 +151,7 @@ void Evaluator::push_call(const ast::File& file, const ast::Step& step) {
                           count_text(function.least, function.most), count);
         } else if (std::none_of(arguments.begin(), arguments.end(),
                                 [](const Value& v) { return v.is_broken(); })) {
+            warn_of_degrees(file, step, function.name);
             result = function.apply(function.name, arguments, {report_, meter_, place});
             if (!is_finite_value(result)) {
                 report_.error(Message::not_finite, place);

@@ -15,7 +15,7 @@ namespace lancer::grammar {
 // --- 1. Characters, comments, words ------------------------------------------------------------
 
 struct blank                : p::plus<p::one<' ', '\t', '\n', '\r', '\f', '\v'>> {};
-struct line_comment         : p::seq<p::string<'/', '/'>, p::until<p::at<p::eolf>>> {};
+struct line_comment         : p::seq<p::string<'/', '/'>, p::star<p::not_one<'\n', '\r'>>> {};
 struct comment_open         : p::string<'/', '*'> {};
 struct comment_close_needed : p::until<p::string<'*', '/'>> {};
 struct block_comment        : p::seq<comment_open, p::must<comment_close_needed>> {};
@@ -112,8 +112,9 @@ struct name_or_call        : p::seq<p::not_at<next_block>, callee, ws, p::sor<ne
 struct primary : p::sor<number, name_or_call, nested<list, '['>, nested<parenthesised, '('>, string, color,
                         true_word, false_word> {};
 
-struct member_needed       : p::seq<p::one<'x', 'y', 'z'>, p::not_at<p::identifier_other>> {};
-struct member              : p::seq<p::one<'.'>, p::not_at<p::one<'.'>>, ws, p::must<member_needed>> {};
+struct component           : p::seq<p::one<'x', 'y', 'z'>, p::not_at<p::identifier_other>> {};
+struct member_needed       : p::at<ws, component> {};   // looked ahead, so that an error stands at the dot
+struct member              : p::seq<p::one<'.'>, p::not_at<p::one<'.'>>, p::must<member_needed>, ws, component> {};
 struct index_open          : p::one<'['> {};
 struct index_close_needed  : p::one<']'> {};
 struct index               : p::seq<index_open, ws, p::must<expression_needed>,
@@ -208,25 +209,26 @@ struct headless_block    : p::seq<p::at<known_block>, p::not_at<known_property>,
 struct block             : p::sor<whole_block, headless_block> {};
 
 struct property_name     : p::seq<name> {};
-struct property_value    : p::seq<p::not_at<value_left_out>, value> {};
+struct property_value    : p::seq<p::not_at<value_left_out>, p::not_at<foreign_value>, value> {};
 struct property_value_needed : p::seq<property_value> {};
 struct property          : p::seq<property_name, ws, p::opt<stray_equals>,
                                   p::must<property_value_needed>> {};
 
-struct statement : p::sor<include_statement, let_statement, param_statement, def_statement,
+struct statement : p::sor<foreign_statement, include_statement, let_statement, param_statement, def_statement,
                           for_statement, if_statement, assert_statement, print_statement, block,
                           call_statement, property> {};
 struct statement_needed : p::seq<statement> {};
+struct stray            : p::sor<stray_separator, stray_hash, stray_declarator> {};
 
 struct body_begin : p::success {};
 struct body : p::seq<body_begin,
                      p::until<p::at<p::sor<close_curly, p::eof, outer_statement>>,
-                              p::sor<stray_separator, recovering<p::must<statement_needed>>>>,
+                              p::sor<stray, recovering<p::must<statement_needed>>>>,
                      body_close, ws> {};
 
 // --- 5. Files ----------------------------------------------------------------------------------
 
-struct file_body : p::until<p::eof, p::sor<stray_separator, stray_brace,
+struct file_body : p::until<p::eof, p::sor<stray, stray_brace,
                                            recovering<p::must<statement_needed>>>> {};
 struct file      : p::seq<recovering<ws>, file_body> {};
 

@@ -101,6 +101,45 @@ struct value_left_out : builder_rule<value_left_out> {
     }
 };
 
+/// What has no value here but has one elsewhere: a colour behind `rgb`, a block in place.
+struct foreign_value : builder_rule<foreign_value> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        return builder.is_foreign_value(in.current());
+    }
+};
+
+/// A statement of another language, `while` or `elif`: an error, and its body is skipped.
+struct foreign_statement : builder_rule<foreign_statement> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        builder.refuse_foreign_statement(in.current());
+        return false;
+    }
+};
+
+/// `# …` where a statement should stand: reported, and skipped with its line.
+struct stray_hash : builder_rule<stray_hash> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        if (in.empty() || *in.current() != '#') return false;
+        in.bump(builder.report_hash(in.current()));
+        in.bump(builder.blank_length(in.current()));
+        return true;
+    }
+};
+
+/// `var` before a name and `=`: reported and skipped, so that the name counts as declared.
+struct stray_declarator : builder_rule<stray_declarator> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        const std::size_t length = builder.report_declarator(in.current());
+        if (length == 0) return false;
+        in.bump(length);
+        return true;
+    }
+};
+
 /// `=` between a property and its value: reported and skipped.
 struct stray_equals : builder_rule<stray_equals> {
     template <class In>
@@ -222,6 +261,14 @@ template <class Name>
 struct analyze_traits<Name, lancer::grammar::stray_separator> : analyze_any_traits<> {};
 template <class Name>
 struct analyze_traits<Name, lancer::grammar::stray_brace> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::foreign_value> : analyze_opt_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::foreign_statement> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::stray_hash> : analyze_any_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::stray_declarator> : analyze_any_traits<> {};
 template <class Name>
 struct analyze_traits<Name, lancer::grammar::outer_statement> : analyze_opt_traits<> {};
 template <class Name>

@@ -28,6 +28,7 @@ namespace lancer {
     M(expected_name,          "expected a name, found {}") \
     M(name_reserved,          "'{}' is a word of the language and cannot be a name") \
     M(expected_equals,        "expected '=', found {}") \
+    M(value_missing,          "'{}' is given no value") \
     M(expected_parameters,    "expected '(' and the template's parameters, found {}") \
     M(expected_in,            "expected 'in', found {}") \
     M(expected_open_brace,    "expected '{{', found {}") \
@@ -35,6 +36,8 @@ namespace lancer {
     M(stray_close_brace,      "this '}}' closes nothing") \
     M(stray_separator,        "'{}' has no place here: statements and properties are separated by blanks alone") \
     M(stray_equals,           "a property is written without '='") \
+    M(hash_comment,           "'#' begins a colour, and no statement") \
+    M(values_do_not_change,   "'{}' has a value, and values do not change") \
     M(expected_statement,     "expected a statement or a property, found {}") \
     M(after_definition,       "expected nothing after the value, found {}") \
     M(nesting_limit,          "nested more than {} levels deep") \
@@ -137,11 +140,17 @@ namespace lancer {
     /* Command line */ \
     M(unknown_definition,     "-D {}: the scene has no param of this name") \
     /* Warnings */ \
+    M(color_far_above_white,  "the colour {} is far brighter than white") \
+    M(fov_of_radians,         "a field of view of {} degrees is that of a telescope") \
+    M(angle_of_degrees,       "'{}' takes radians, and {} is more than a whole turn") \
     M(degenerate_triangles,   "{} dropped: the corners are on one line") \
+    M(mesh_file,              "{}") \
     M(degenerate_triangle,    "this triangle's corners are on one line: nothing is drawn") \
     M(all_points_equal,       "all points of this {} are equal: nothing is drawn") \
     /* Notes */ \
     M(first_here,             "first here") \
+    M(defined_later,          "defined here, later") \
+    M(defined_elsewhere,      "defined here, within other braces") \
     M(opened_here,            "opened here") \
     M(called_here,            "called here, '{}'") \
     M(included_here,          "included here") \

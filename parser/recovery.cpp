@@ -34,24 +34,6 @@ std::string Builder::found_at(const char* at) const {
     return "'" + std::string(text.substr(0, cut)) + "...'";
 }
 
-void Builder::report_stray(const char* at) {
-    const SourceSpan where = span(at, at + 1);
-    if (*at == '}') {
-        report_.error(Message::stray_close_brace, where);
-    } else if (*at == '=') {
-        Diagnostic* error = report_.error(Message::stray_equals, where);
-        ast::Statement& property = building_.back();
-        if (contexts_.back().properties->knows(property.word)) return;
-        if (error != nullptr)
-            error->hint = "to give a value a name, write 'let " +
-                          std::string(symbols_.text(property.word)) + " = ...'";
-        property.kind = Kind::broken;
-        property.name = property.word;
-    } else {
-        report_.error(Message::stray_separator, where, std::string_view(at, 1));
-    }
-}
-
 void Builder::missing_open_brace(const char* at) {
     const std::string_view word = word_at(at);
     if (word.empty() || !block_being_opened_knows(at, word))
@@ -78,12 +60,12 @@ Builder::Mark Builder::mark(const char* at) const {
             nesting_};
 }
 
-void Builder::report(const Mark& mark, const SyntaxError& error) {
+Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
     // What is no text at all has been reported, as such.
     const std::size_t stop = scan::skip_blanks(text_, offset_of(error.at));
     if (stop < text_.size() && find_invalid_utf8(text_.substr(0, stop + 1), stop) == stop &&
         find_invalid_utf8(text_, stop) == stop)
-        return;
+        return nullptr;
     const SourceSpan where = span_of_token(error.at);
     const std::string found = found_at(error.at);
     Diagnostic* said = nullptr;
@@ -94,41 +76,37 @@ void Builder::report(const Mark& mark, const SyntaxError& error) {
                 const std::size_t open = text_.rfind("/*", offset_of(error.at));
                 comment_open_ = open == std::string_view::npos ? error.at : text_.data() + open;
             }
-            report_.error(
+            cut_short_ = true;
+            return report_.error(
                 error.message,
                 span(comment_open_, std::min(comment_open_ + 2, text_.data() + text_.size())));
-            cut_short_ = true;
-            return;
         case Message::string_not_closed:
-            report_.error(error.message, span(string_open_, error.at));
             contexts_[mark.contexts - 1].brace_lost =
                 std::find(string_open_, error.at, '}') != error.at;
-            return;
+            return report_.error(error.message, span(string_open_, error.at));
         case Message::unknown_escape:
-            report_.error(error.message, span(error.at - 1, error.at + 1));
-            return;
+            return report_.error(error.message, span(error.at - 1, error.at + 1));
+        case Message::expected_member:
+            return report_.error(error.message, span(error.at - 1, error.at));
         case Message::color_digits:
-            report_.error(error.message,
-                          span(std::find(std::make_reverse_iterator(error.at),
-                                         std::make_reverse_iterator(text_.data()), '#')
-                                       .base() -
-                                   1,
-                               error.at));
-            return;
+            return report_.error(error.message,
+                                 span(std::find(std::make_reverse_iterator(error.at),
+                                                std::make_reverse_iterator(text_.data()), '#')
+                                              .base() -
+                                          1,
+                                      error.at));
         case Message::nesting_limit:
-            report_.error(error.message, where, nesting_limit_);
-            return;
+            return report_.error(error.message, where, nesting_limit_);
+        case Message::unknown_word:
+            return report_.error(error.message, where, text_.substr(where.offset, where.length));
         case Message::expected_value: {
             const bool property =
                 building_.size() > mark.building && building_.back().kind == Kind::property;
-            if (property) {
-                const ast::Statement& s = building_.back();
-                said = report_.error(error.message, where, symbols_.text(s.word), found);
-                if (said != nullptr && value_is_left_out(error.at)) said->where = file_.span(s);
-            } else {
-                report_.error(Message::expected_expression, where, found);
-            }
-            return;
+            if (!property) return report_.error(Message::expected_expression, where, found);
+            const ast::Statement& s = building_.back();
+            said = report_.error(error.message, where, symbols_.text(s.word), found);
+            if (said != nullptr && value_is_left_out(error.at)) said->where = file_.span(s);
+            return said;
         }
         case Message::expected_close:
             said = report_.error(error.message, where, *brackets_.back() == '[' ? ']' : ')', found);
@@ -137,26 +115,31 @@ void Builder::report(const Mark& mark, const SyntaxError& error) {
         case Message::expected_paren_close:
             said = report_.error(error.message, where, found);
             break;
+        case Message::expected_equals: {
+            // Where a line ends without a value, that line is meant, not the next.
+            const SourceSpan name = file_.name_span(building_.back());
+            const std::size_t line_end = scan::line_end(text_, name.offset);
+            return where.offset >= line_end ? report_.error(Message::value_missing, name,
+                                                            text_.substr(name.offset, name.length))
+                                            : report_.error(error.message, where, found);
+        }
         case Message::expected_name:
-            if (where.length > 0 && scan::is_reserved(text_.substr(where.offset, where.length))) {
-                report_.error(Message::name_reserved, where,
-                              text_.substr(where.offset, where.length));
-                return;
-            }
-            report_.error(error.message, where, found);
-            return;
+            if (where.length > 0 && scan::is_reserved(text_.substr(where.offset, where.length)))
+                return report_.error(Message::name_reserved, where,
+                                     text_.substr(where.offset, where.length));
+            return report_.error(error.message, where, found);
         default:
-            report_.error(error.message, where, found);
-            return;
+            return report_.error(error.message, where, found);
     }
     if (said != nullptr && brackets_.size() > mark.brackets)
         said->notes.insert(
             said->notes.begin(),
             Report::note(Message::opened_here, span(brackets_.back(), brackets_.back() + 1)));
+    return said;
 }
 
 const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
-    report(mark, error);
+    if (Diagnostic* said = report(mark, error)) said->hint = hint_for(error);
     contexts_.resize(mark.contexts);
     contexts_.back().damaged = true;
     pending_.resize(mark.pending);
@@ -188,7 +171,12 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     const std::size_t start = scan::skip_blanks(text_, offset_of(mark.at));
     // A reserved word in the place of a name is no statement to go on with.
     const bool is_word =
-        error.message == Message::expected_name && span_of_token(error.at).length > 1;
+        (error.message == Message::expected_name && span_of_token(error.at).length > 1) ||
+        (error.message == Message::expected_value && is_foreign_value(error.at));
+    // A statement of another language goes to the end of its line, or of its body; so does a
+    // condition that has more behind it.
+    const bool whole_line =
+        error.message == Message::unknown_word || error.message == Message::expected_open_brace;
     const std::size_t stop = offset_of(error.at) + (is_word ? 1 : 0);
     std::size_t brackets = 0;
     std::size_t braces = 0;
@@ -217,6 +205,7 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
                 break;
             case Token::Kind::name: {
                 if (!past || braces > 0) break;
+                if (whole_line && !scan::is_first_on_line(text_, token.begin)) break;
                 const std::string_view word = text_.substr(token.begin, token.end - token.begin);
                 if (scan::begins_statement(word)) return text_.data() + token.begin;
                 if (scan::is_reserved(word)) break;

@@ -21,7 +21,9 @@ Diagnostic* Report::add(Severity severity, Message message, const SourceSpan& wh
                         std::string text) {
     if (full_) throw StopReading{};
     if (severity == Severity::warning && warnings_ == most_warnings) return nullptr;
-    if (!seen_.emplace(where.file, where.offset, message).second) return nullptr;
+    // Several warnings about one file stand at its name.
+    const std::string which = severity == Severity::warning ? text : std::string();
+    if (!seen_.emplace(where.file, where.offset, message, which).second) return nullptr;
     if (severity == Severity::warning) {
         ++warnings_;
     } else if (errors_++ == most_errors) {

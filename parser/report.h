@@ -61,7 +61,7 @@ class Report {
     Diagnostic* add(Severity severity, Message message, const SourceSpan& where, std::string text);
 
     std::vector<Diagnostic>& found_;
-    std::set<std::tuple<std::uint32_t, std::uint32_t, Message>> seen_;
+    std::set<std::tuple<std::uint32_t, std::uint32_t, Message, std::string>> seen_;
     std::size_t errors_ = 0;
     std::size_t warnings_ = 0;
     bool full_ = false;

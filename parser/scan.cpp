@@ -5,6 +5,10 @@
 
 namespace lancer::scan {
 
+std::size_t line_end(std::string_view text, std::size_t at) {
+    return std::min(text.find_first_of("\r\n", at), text.size());
+}
+
 bool is_reserved(std::string_view word) {
     static constexpr std::array<std::string_view, 12> words{"include", "let",   "param", "def",
                                                             "for",     "in",    "if",    "else",
@@ -23,7 +27,7 @@ std::size_t skip_blanks(std::string_view text, std::size_t at) {
         if (is_blank(text[at])) {
             ++at;
         } else if (text[at] == '/' && at + 1 < text.size() && text[at + 1] == '/') {
-            at = std::min(text.find('\n', at), text.size());
+            at = line_end(text, at);
         } else if (text[at] == '/' && at + 1 < text.size() && text[at + 1] == '*') {
             const std::size_t close = text.find("*/", at + 2);
             at = close == std::string_view::npos ? text.size() : close + 2;
@@ -54,8 +58,9 @@ Token next_token(std::string_view text, std::size_t at) {
         return {Kind::number, at, end};
     }
     if (c == '"') {
-        while (end < text.size() && text[end] != '"' && text[end] != '\n' && text[end] != '\r')
-            end += text[end] == '\\' && end + 1 < text.size() && text[end + 1] != '\n' ? 2 : 1;
+        while (end < text.size() && text[end] != '"' && !is_line_end(text[end]))
+            end +=
+                text[end] == '\\' && end + 1 < text.size() && !is_line_end(text[end + 1]) ? 2 : 1;
         end = std::min(end, text.size());
         if (end < text.size() && text[end] == '"') ++end;
         return {Kind::string, at, end};
@@ -79,7 +84,7 @@ Token next_token(std::string_view text, std::size_t at) {
 }
 
 bool is_first_on_line(std::string_view text, std::size_t at) {
-    while (at > 0 && text[at - 1] != '\n') {
+    while (at > 0 && !is_line_end(text[at - 1])) {
         if (!is_blank(text[at - 1])) return false;
         --at;
     }
@@ -88,7 +93,7 @@ bool is_first_on_line(std::string_view text, std::size_t at) {
 
 std::size_t indentation(std::string_view text, std::size_t at) {
     std::size_t begin = at;
-    while (begin > 0 && text[begin - 1] != '\n') --begin;
+    while (begin > 0 && !is_line_end(text[begin - 1])) --begin;
     std::size_t first = begin;
     while (first < at && is_blank(text[first])) ++first;
     return first - begin;

@@ -18,6 +18,12 @@ constexpr bool is_name_part(char c) {
 constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
 }
+constexpr bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+
+/// Where the line that holds `at` ends: its LF, CRLF or CR, or the end of the text.
+std::size_t line_end(std::string_view text, std::size_t at);
 
 /// A word that cannot be a name.
 bool is_reserved(std::string_view word);

@@ -4,6 +4,7 @@
 #include "parser/actions.h"
 #include "parser/builder.h"
 #include "parser/grammar.h"
+#include "parser/scan.h"
 #include "parser/syntax_messages.h"
 
 namespace lancer {
@@ -22,8 +23,7 @@ void check_bytes(std::string_view text, std::uint32_t source, Report& report) {
         } else {
             report.error(Message::invalid_utf8, where, fmt::format("{:02x}", byte));
         }
-        at = text.find('\n', at);
-        if (at == std::string_view::npos) break;
+        at = scan::line_end(text, at);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "model/light.h"
 
 #include "parser/blocks/blocks.h"
+#include "parser/blocks/brightness.h"
 #include "parser/rules.h"
 
 namespace lancer::blocks {
@@ -55,6 +56,9 @@ std::optional<Fade> fade_of(const LightSpec& spec) {
 }
 
 void add(BlockReader& block, const LightSpec& spec, const LightKind& kind) {
+    // What fades may well be bright where it stands.
+    if (!spec.fade_distance)
+        warn_bright_light(block.evaluator().report(), block.place("color"), spec.color);
     block.builder().add(Light{kind, spec.color, spec.shadows, block.place()});
 }
 

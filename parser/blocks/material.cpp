@@ -1,6 +1,7 @@
 #include "model/material.h"
 
 #include "parser/blocks/blocks.h"
+#include "parser/blocks/brightness.h"
 #include "parser/rules.h"
 
 namespace lancer::blocks {
@@ -75,6 +76,8 @@ void make_material(BlockReader& block, std::uint32_t& result) {
                     block.place(block.has("filter") ? "filter" : "transmission"),
                     to_text(spec.filter + spec.transmission));
     if (!block.good()) return;
+    if (max_component(spec.emission) == 0)
+        warn_bright_surface(block.evaluator().report(), block.place("color"), spec.surface.color);
     Material made = spec;
     made.color = spec.surface.color;
     made.texture = spec.surface.texture;

@@ -108,6 +108,8 @@ void make_mesh(BlockReader& block, std::uint32_t&) {
     const auto loaded =
         block.evaluator().load_mesh(block.resolve_path(spec.file), block.place("file"));
     if (loaded == nullptr) return;
+    for (const std::string& text : loaded->warnings)
+        block.warning(Message::mesh_file, block.place("file"), text);
     warn_degenerate(block, block.place("file"), loaded->degenerate);
     const std::shared_ptr<const Mesh> shared(loaded, &loaded->mesh);
     if (!shared->faces.empty()) add_mesh(block, shared, spec, attributes);

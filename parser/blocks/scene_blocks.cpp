@@ -81,6 +81,19 @@ bool are_parallel(const Vec3d& a, const Extended& b) {
     return length(cross(x, b)) <= rounding * length(x) * length(b);
 }
 
+/// A camera of so narrow a view that does not stand far away was probably given radians.
+void warn_of_radians(BlockReader& block, double fov, double distance) {
+    constexpr double least = 0.2;
+    constexpr double most = 2.1;
+    constexpr double far = 100;
+    if (fov < least || fov > most || distance > far) return;
+    Diagnostic* warning = block.evaluator().report().warning(Message::fov_of_radians,
+                                                             block.place("fov"), to_text(fov));
+    if (warning != nullptr)
+        warning->hint = fmt::format("{} radians would be fov {:.0f}", to_text(fov),
+                                    fov * 180 / 3.141592653589793);
+}
+
 }  // namespace
 
 const BlockInfo file{"", "", file_fields, {}, "what stands in the file itself"};
@@ -136,6 +149,8 @@ void make_camera(BlockReader& block, std::uint32_t&) {
         made.projection = OrthographicProjection{spec.height};
     } else {
         made.projection = PerspectiveProjection{spec.fov};
+        if (block.has("fov"))
+            warn_of_radians(block, spec.fov, length(spec.look_at - spec.position));
     }
     made.place = block.place();
     block.builder().add(made);

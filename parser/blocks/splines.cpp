@@ -86,6 +86,13 @@ std::string_view outline_counts(Spline spline) {
     return spline == Spline::bezier ? "3, 6, 9, ... (3n)" : "3 or more";
 }
 
+/// Whether the last point is the first one written again. In a bezier outline only the one after
+/// 3n can be: the last of 3n is the handle of the closing side, and may lie on the first point.
+bool repeats_first_point(Spline spline, const std::vector<Vec2d>& outline) {
+    return outline.size() > 1 && outline.front() == outline.back() && !is_single_point(outline) &&
+           (spline != Spline::bezier || outline.size() % 3 == 1);
+}
+
 void check_net(BlockReader& block, const PatchSpec& spec) {
     const std::size_t rows = spec.control.size();
     const std::size_t columns = rows == 0 ? 0 : spec.control.front().size();
@@ -168,11 +175,12 @@ void make_prism(BlockReader& block, std::uint32_t&) {
         block.error(Message::prism_upside_down, block.place("top"));
     if (!block.good()) return;
     auto& outline = made.outline;
-    if (outline.size() > 1 && outline.front() == outline.back() && !is_single_point(outline))
-        outline.pop_back();
+    const bool repeated = repeats_first_point(made.spline, outline);
+    if (repeated) outline.pop_back();
     if (!is_outline_count(made.spline, outline.size())) {
         block.error(Message::outline_count, block.place("outline"), word_of(made.spline),
-                    outline_counts(made.spline), count_of(outline.size()));
+                    outline_counts(made.spline),
+                    count_of(outline.size()) + (repeated ? " and the first again" : ""));
         return;
     }
     if (is_single_point(outline)) {

@@ -1,5 +1,6 @@
 #include "model/scene.h"
 #include "parser/blocks/blocks.h"
+#include "parser/blocks/brightness.h"
 #include "parser/rules.h"
 
 namespace lancer {
@@ -157,6 +158,11 @@ void make_texture(BlockReader& block, std::uint32_t& result) {
         block.error(Message::transform_singular, block.place());
         return;
     }
+    Report& report = block.evaluator().report();
+    for (const Gradient::Stop& stop : spec.stops)
+        warn_bright_surface(report, block.place("stops"), stop.color);
+    warn_bright_surface(report, block.place("checker"), spec.checker.even);
+    warn_bright_surface(report, block.place("checker"), spec.checker.odd);
     if (block.has("image")) {
         ImageTexture pattern{0, spec.mapping, spec.filter, spec.wrap};
         if (!find_image(block, spec, pattern.image)) return;

@@ -4,6 +4,7 @@
 
 #include "model/diagnostic.h"
 #include "model/elementary.h"
+#include "model/utf8.h"
 
 namespace lancer {
 namespace {
@@ -17,6 +18,37 @@ TEST(SourceMap, LocatesLinesAfterLfAndCrlf) {
     EXPECT_EQ(sources.locate({file, 11, 1}).column, 3u);
     EXPECT_EQ(sources.line_text({file, 1, 1}), "one");
     EXPECT_EQ(sources.line_text({file, 11, 1}), "three");
+}
+
+TEST(SourceMap, ACarriageReturnAloneEndsALine) {
+    SourceMap sources;
+    const std::uint32_t file = sources.add("t.lancer", "one\rtwo\r\rfour\r\nfive\n\rseven");
+    const auto line_of = [&](std::uint32_t offset) {
+        return sources.locate({file, offset, 1}).line;
+    };
+    EXPECT_EQ(line_of(3), 1u);
+    EXPECT_EQ(line_of(4), 2u);
+    EXPECT_EQ(line_of(8), 3u);
+    EXPECT_EQ(line_of(9), 4u);
+    EXPECT_EQ(line_of(15), 5u);
+    EXPECT_EQ(line_of(21), 7u);
+    EXPECT_EQ(sources.line_text({file, 5, 1}), "two");
+    EXPECT_EQ(sources.line_text({file, 8, 1}), "");
+    EXPECT_EQ(sources.line_text({file, 10, 1}), "four");
+}
+
+TEST(Diagnostic, StaysOnItsLineWhateverANameHolds) {
+    SourceMap sources;
+    const std::uint32_t file = sources.add("a\nb\x1b[2J.lancer", "sphere");
+    const std::string text = format(
+        {Severity::error, {file, 0, 1}, "no 'maps\new\t\x7f\x9b\xc2\x9b'", "\xe2\x80\xae!\r", {}},
+        sources);
+    EXPECT_EQ(text,
+              "a\\nb\\x1b[2J.lancer:1:1: error: no 'maps\\new\\t\\x7f\\x9b\\u009b'\n"
+              "    sphere\n"
+              "    ^\n"
+              "    hint: \\u202e!\\x0d\n");
+    EXPECT_EQ(printable("gr\xc3\xbcn C:\\maps"), "gr\xc3\xbcn C:\\maps");
 }
 
 TEST(Diagnostic, QuotesTheLineWithACaretAndKeepsTabs) {

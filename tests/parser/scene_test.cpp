@@ -96,6 +96,25 @@ TEST(SceneFromScript, ImagesHaveThreeChannelsOrFourWhateverTheFileHas) {
     }
 }
 
+TEST(SceneFromScript, TheLastHandleOfABezierOutlineMayLieOnItsFirstPoint) {
+    const std::string nine =
+        "[0, 0], [1, 3], [3, 3], [4, 0], [4, -1], [3, -2], [2, -2], [2, -2], [0, 0]";
+    const auto outline_of = [](const std::string& points) {
+        const auto result = run("prism { spline bezier bottom 0 top 1 outline [" + points + "] }");
+        EXPECT_EQ(result.messages, "");
+        return result.scene.prisms.at(0).outline;
+    };
+    const std::vector<Vec2d> outline = outline_of(nine);
+    EXPECT_EQ(outline.size(), 9u);
+    EXPECT_EQ(outline.back(), Vec2d(0, 0));
+    // The point after 3n is the first one again.
+    EXPECT_EQ(outline_of(nine + ", [0, 0]"), outline);
+    EXPECT_EQ(run("prism { bottom 0 top 1 outline [[0, 0], [1, 0], [0, 1], [0, 0]] }")
+                  .scene.prisms.at(0)
+                  .outline.size(),
+              3u);
+}
+
 TEST(SceneFromScript, APolygonBecomesTriangles) {
     const auto result =
         run("mesh { vertices [[0,0,0], [1,0,0], [1,1,0], [0,1,0]] faces [[0, 1, 2, 3]] }");

@@ -88,6 +88,38 @@ TEST(Statements, ByteOrderMarkCrLfAndCommentsAreBlanks) {
     EXPECT_EQ(printed("\xEF\xBB\xBFlet a = 1 // one\r\n/* two\r\n */ print a\r\n"), (Lines{"1"}));
 }
 
+TEST(Statements, ACarriageReturnAloneEndsACommentAndALine) {
+    const auto result =
+        run("camera { position [0, 1, 5] look_at [0, 0, 0] }   // the view\r"
+            "light point { position [1, 2, 3] }\rsphere { raduis 1 }\r");
+    EXPECT_EQ(result.messages,
+              "main.lancer:3:10: error: 'raduis' is not a property of a sphere\n"
+              "    sphere { raduis 1 }\n"
+              "             ^~~~~~\n"
+              "    hint: did you mean 'radius'?\n");
+    EXPECT_EQ(run("let a = \"x\rprint a").found.size(), 1u);  // a string ends on its line
+}
+
+TEST(Statements, WordsOfOtherLanguagesAreNamesLikeOthers) {
+    const auto result =
+        run("def while(n) { sphere { radius n } } while(2)\n"
+            "let rgb = [[1, 0, 0], [0, 1, 0]] let red = 3 let mm = 2\n"
+            "sphere { radius 1 material { color rgb[0] } }\n"
+            "sphere { radius 1 capped_or_not 2 }\n");
+    EXPECT_EQ(result.found.size(), 1u) << result.messages;
+    EXPECT_EQ(run("let rgb = 2 sphere { radius rgb < 1 ? 1 : 2 }").messages, "");
+    EXPECT_EQ(run("let not = true if not { sphere { radius 1 } }").messages, "");
+}
+
+TEST(Statements, AnAssignmentInALoopChangesNothingButIsAnError) {
+    const auto result = run("let n = 1\nfor i in 0..3 {\n  n = n + i\n  sphere { radius n }\n}\n");
+    ASSERT_EQ(result.found.size(), 1u) << result.messages;
+    EXPECT_NE(result.messages.find("3:3: error: 'n' has a value, and values do not change"),
+              std::string::npos)
+        << result.messages;
+    EXPECT_NE(result.messages.find("main.lancer:1:5: note: first here"), std::string::npos);
+}
+
 TEST(Definitions, ReplaceParamsByAnyConstantExpression) {
     const auto result =
         run("param level = 3 print level", {{{"level", "2 * sin(pi / 2)"}}, {}, {}});

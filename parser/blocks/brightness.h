@@ -1,0 +1,15 @@
+// Colours written from 0 to 255 by habit: a warning.
+#pragma once
+
+#include "model/math.h"
+#include "parser/report.h"
+
+namespace lancer {
+
+/// Warns when a surface's colour is more than twice as bright as white.
+void warn_bright_surface(Report& report, const SourceSpan& place, const Color& color);
+/// Warns when a colour of light, which may be as bright as one likes, is of whole numbers up to
+/// 255.
+void warn_bright_light(Report& report, const SourceSpan& place, const Color& color);
+
+}  // namespace lancer
