@@ -26,11 +26,22 @@ std::vector<Count> count_kinds(const Things& things, IndexOf index_of,
     return counts;
 }
 
-std::uint64_t triangles_of(const Scene& scene, const Shape& shape) {
-    if (const auto* mesh = std::get_if<MeshRef>(&shape))
-        return scene.meshes[mesh->mesh]->faces.size();
-    return std::holds_alternative<Triangle>(shape) ? 1 : 0;
-}
+struct TrianglesOf {
+    const Scene& scene;
+
+    std::uint64_t operator()(const Sphere&) const { return 0; }
+    std::uint64_t operator()(const Box&) const { return 0; }
+    std::uint64_t operator()(const Plane&) const { return 0; }
+    std::uint64_t operator()(const Cylinder&) const { return 0; }
+    std::uint64_t operator()(const Cone&) const { return 0; }
+    std::uint64_t operator()(const Triangle&) const { return 1; }
+    std::uint64_t operator()(const MeshRef& ref) const {
+        return scene.meshes[ref.mesh]->faces.size();
+    }
+    std::uint64_t operator()(const PatchRef&) const { return 0; }
+    std::uint64_t operator()(const LatheRef&) const { return 0; }
+    std::uint64_t operator()(const PrismRef&) const { return 0; }
+};
 
 /// Who asks: a shape with its name and its material's, or a light.
 std::string describe(const Scene& scene, const Demand& demand) {
@@ -60,7 +71,7 @@ SceneSummary summarize(const Scene& scene, const SourceMap& sources) {
         scene.lights, [](const Light& light) { return light.kind.index(); }, light_names);
     std::set<std::uint32_t> materials;
     for (const Object& object : scene.objects) {
-        summary.triangles += triangles_of(scene, object.shape);
+        summary.triangles += std::visit(TrianglesOf{scene}, object.shape);
         materials.insert(object.material);
     }
     summary.meshes = scene.meshes.size();

@@ -31,19 +31,33 @@ constexpr std::array<Words, feature_count> words{{
     {"light from behind", "lights behind a surface that shine through it"},
 }};
 
-bool has_normals_to_interpolate(const Scene& scene, const Shape& shape) {
-    if (const auto* mesh = std::get_if<MeshRef>(&shape)) return mesh->smooth;
-    if (const auto* triangle = std::get_if<Triangle>(&shape)) {
-        return triangle->attributes != none &&
-               scene.triangle_attributes[triangle->attributes].normals.has_value();
-    }
-    return std::holds_alternative<PatchRef>(shape);
-}
+/// What a shape is to the renderer.
+struct Kind {
+    bool mesh = false;
+    bool spline = false;
+    bool interpolates = false;  ///< has normals to interpolate
+};
 
-bool is_spline(const Shape& shape) {
-    return std::holds_alternative<PatchRef>(shape) || std::holds_alternative<LatheRef>(shape) ||
-           std::holds_alternative<PrismRef>(shape);
-}
+struct KindOf {
+    const Scene& scene;
+
+    Kind operator()(const Sphere&) const { return {}; }
+    Kind operator()(const Box&) const { return {}; }
+    Kind operator()(const Plane&) const { return {}; }
+    Kind operator()(const Cylinder&) const { return {}; }
+    Kind operator()(const Cone&) const { return {}; }
+    Kind operator()(const Triangle& t) const {
+        const bool normals =
+            t.attributes != none && scene.triangle_attributes[t.attributes].normals.has_value();
+        return {.interpolates = normals};
+    }
+    Kind operator()(const MeshRef& mesh) const {
+        return {.mesh = true, .interpolates = mesh.smooth};
+    }
+    Kind operator()(const PatchRef&) const { return {.spline = true, .interpolates = true}; }
+    Kind operator()(const LatheRef&) const { return {.spline = true}; }
+    Kind operator()(const PrismRef&) const { return {.spline = true}; }
+};
 
 class Collector {
   public:
@@ -62,10 +76,10 @@ class Collector {
 
   private:
     void add_shape(const Object& object, const Demand& demand) {
-        if (std::holds_alternative<MeshRef>(object.shape)) found_.add(Feature::meshes, demand);
-        if (is_spline(object.shape)) found_.add(Feature::splines, demand);
-        if (settings_.smooth && has_normals_to_interpolate(scene_, object.shape))
-            found_.add(Feature::smooth_normals, demand);
+        const Kind kind = std::visit(KindOf{scene_}, object.shape);
+        if (kind.mesh) found_.add(Feature::meshes, demand);
+        if (kind.spline) found_.add(Feature::splines, demand);
+        if (settings_.smooth && kind.interpolates) found_.add(Feature::smooth_normals, demand);
     }
 
     void add_surface(const Object& object, const Demand& demand) {

@@ -160,7 +160,7 @@ class Compiler {
             // Whether a mesh has an inside is asked only when it matters.
             p.body = std::holds_alternative<MeshRef>(object.shape) ? p.medium
                                                                    : is_body(scene_, object.shape);
-            p.convex = is_convex(p.solid);
+            p.convex = traits_of(p.solid).convex;
             (std::holds_alternative<HalfSpace<Real>>(p.solid) ? unbounded : bounded).push_back(p);
         }
         world_->bounded = static_cast<std::uint32_t>(bounded.size());
@@ -207,7 +207,8 @@ class Compiler {
             const Primitive<Real>& p = world_->primitives[i];
             const Bounds<Real> box = bounds_of(*world_, p);
             // Squares of sizes must stay in the number type's range.
-            const bool vanishes = size_of(p.solid) < 16 * sqrt(std::numeric_limits<Real>::min());
+            const bool vanishes = std::visit([](const auto& solid) { return solid.size(); },
+                                             p.solid) < 16 * sqrt(std::numeric_limits<Real>::min());
             if (vanishes || !is_finite(box.min) || !is_finite(box.max))
                 throw SceneError(scene_.objects[p.object].place, out_of_range);
             boxes.push_back(box);

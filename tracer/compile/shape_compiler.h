@@ -24,19 +24,6 @@ namespace lancer {
 inline constexpr const char* out_of_range =
     "this shape is too large or too small, beside the rest of the scene, for the chosen precision";
 
-/// The largest measure of a solid in its own space; infinite where none can be too small.
-template <class Real>
-Real size_of(const Solid<Real>& solid) {
-    if (const auto* ball = std::get_if<BallSolid<Real>>(&solid)) return ball->radius;
-    if (const auto* box = std::get_if<BoxSolid<Real>>(&solid))
-        return max_component(Vec3<Real>(box->max - box->min));
-    if (const auto* f = std::get_if<FrustumSolid<Real>>(&solid)) {
-        const Real large = f->radius + f->slope * f->height;
-        return f->height < large ? f->height : large;
-    }
-    return std::numeric_limits<Real>::infinity();
-}
-
 /// Makes the tracer's solids, and the frames of those that stay in a space of their own.
 ///
 /// A similarity (turn, mirror, even scale, shift) is baked into a sphere, cylinder, cone; any map

@@ -105,7 +105,7 @@ class IntersectionFilter {
                                    const Crossing<Real>& c) const {
         for (const SurfaceId& s : start_.surfaces) {
             if (s.primitive != primitive) continue;
-            if (start_.fresh ? is_face_by_face(p) && s.face == c.face
+            if (start_.fresh ? traits_of(p.solid).face_by_face && s.face == c.face
                              : s.face == c.face && s.entering == c.entering)
                 return true;
         }
@@ -120,13 +120,6 @@ class IntersectionFilter {
     bool contains_here(std::uint32_t primitive) const {
         if constexpr (lists_media) return contains(bodies_, primitive);
         return false;
-    }
-
-    /// Shapes that do not divide their start out themselves, because a line meets each face once.
-    static bool is_face_by_face(const Primitive<Real>& p) {
-        return std::holds_alternative<MeshInstance<Real>>(p.solid) ||
-               std::holds_alternative<PatchSolid<Real>>(p.solid) ||
-               std::holds_alternative<TriangleSheet<Real>>(p.solid);
     }
 
     const World<Real>& world_;

@@ -1,5 +1,5 @@
 // A second recursion, for the judge of pictures. It goes by POV-Ray 3.7's rules or, without them,
-// by our own: docs/export.md, "IntersectionHints differences". Crossings, surfaces and the terms of
+// by our own: docs/export.md, "Known differences". Crossings, surfaces and the terms of
 // shading are those of whitted.h; which hits count, what a ray is taken to be in, what dims it and
 // which branches are followed is said here once more, and more simply: a ray starts a small way off
 // the surface that it leaves, and of what lies in one place it meets one surface. What POV-Ray does

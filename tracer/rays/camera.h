@@ -74,7 +74,7 @@ Ray<Real> ray_from_camera(const CameraFrame<Real>& camera_frame, Real sx, Real s
                     Real(0));
 }
 
-/// The same line, with its origin where the camera_frame has it.
+/// The same line, with its origin where the frame has it.
 template <class Real>
 Ray<Real> camera_ray(const CameraFrame<Real>& camera_frame, Real sx, Real sy) {
     if (camera_frame.ahead == 0) return ray_from_camera(camera_frame, sx, sy);

@@ -1,5 +1,5 @@
 // The recursion: what a ray brings back.
-// Whitted, "An Improved LightSample Model for Shaded Display", CACM 23(6) 1980; terms in
+// Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980; terms in
 // docs/shading.md.
 #pragma once
 

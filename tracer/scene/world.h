@@ -32,13 +32,9 @@ using Solid =
                  TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>, BicubicSolid<Real>,
                  FacetSolid<Real>, LatheSolid<Real>, PrismSolid<Real>>;
 
-/// ShapeCompiler that a straight line meets in one piece (a cylinder without caps: its inside).
 template <class Real>
-bool is_convex(const Solid<Real>& solid) {
-    return std::holds_alternative<BallSolid<Real>>(solid) ||
-           std::holds_alternative<BoxSolid<Real>>(solid) ||
-           std::holds_alternative<FrustumSolid<Real>>(solid) ||
-           std::holds_alternative<HalfSpace<Real>>(solid);
+SolidTraits traits_of(const Solid<Real>& solid) {
+    return std::visit([](const auto& s) { return s.traits; }, solid);
 }
 
 template <class Real>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <mutex>
 
@@ -10,6 +11,7 @@
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/shear.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 #include "tracer/splines/pieces.h"
 
 namespace lancer {
@@ -65,6 +67,10 @@ class BicubicSurface {
 template <class Real>
 struct BicubicSolid {
     const BicubicSurface<Real>* surface;
+
+    static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 /// The crossings with one piece. Seen along the ray its points are a map of the plane, whose zeros

@@ -5,6 +5,7 @@
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/ray.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 
 namespace lancer {
 
@@ -14,6 +15,10 @@ struct BoxSolid {
     Vec3<Real> max;
     Real transform_error =
         0;  ///< bound on how far rounding moved it when a transform put it into the world
+
+    static constexpr SolidTraits traits{.convex = true, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return max_component(Vec3<Real>(max - min)); }
 };
 
 /// Faces are numbered 2 axis + (0 at min, 1 at max).

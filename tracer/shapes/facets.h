@@ -1,9 +1,12 @@
 // A patch as POV-Ray draws it, for the judge: flat facets under mixed normals.
 #pragma once
 
+#include <limits>
+
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/shear.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 #include "tracer/shapes/triangle.h"
 #include "tracer/splines/bicubic.h"
 
@@ -29,6 +32,10 @@ struct FacetSurface {
 template <class Real>
 struct FacetSolid {
     const FacetSurface<Real>* surface;
+
+    static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 /// Both halves of a cubic Bezier curve whose points lie `step` apart. De Casteljau; Farin, Curves

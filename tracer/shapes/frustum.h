@@ -5,6 +5,7 @@
 #include "tracer/rays/faces.h"
 #include "tracer/rays/ray.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 
 namespace lancer {
 
@@ -24,6 +25,13 @@ struct FrustumSolid {
     Real filter_error = 0;  ///< of `small_end` in a plain difference
     Real transform_error =
         0;  ///< bound on how far rounding moved it when a transform put it into the world
+
+    static constexpr SolidTraits traits{.convex = true, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const {
+        const Real large = radius + slope * height;
+        return height < large ? height : large;
+    }
 };
 
 template <class Real>

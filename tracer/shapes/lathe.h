@@ -1,9 +1,12 @@
 // Lathes: true surfaces of revolution, met without a mesh in between.
 #pragma once
 
+#include <limits>
+
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/ray.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 #include "tracer/splines/revolution.h"
 #include "tracer/textures/mapping.h"
 
@@ -13,6 +16,10 @@ namespace lancer {
 template <class Real>
 struct LatheSolid {
     const splines::Revolution<Real>* surface;  ///< its curve's exponent is from this solid's space
+
+    static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 template <class Real, class Last, class Report>

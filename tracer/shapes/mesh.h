@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "tracer/bvh/traverse.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/shear.h"
+#include "tracer/shapes/traits.h"
 #include "tracer/shapes/triangle_leaf.h"
 
 namespace lancer {
@@ -37,6 +39,10 @@ template <class Real>
 struct MeshInstance {
     const TriangleMesh<Real>* mesh;
     bool smooth;
+
+    static constexpr SolidTraits traits{.convex = false, .face_by_face = true};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 /// Reports every crossing of the interval with the mesh, but for the face that the line starts on,

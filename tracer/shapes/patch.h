@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "tracer/rays/surface_point.h"
 #include "tracer/shapes/mesh.h"
 #include "tracer/shapes/mesh_build.h"
+#include "tracer/shapes/traits.h"
 #include "tracer/tessellation/tessellate.h"
 
 namespace lancer {
@@ -88,6 +90,10 @@ struct PatchSolid {
     bool smooth;
 
     MeshInstance<Real> instance() const { return {&surface->mesh(), smooth}; }
+
+    static constexpr SolidTraits traits{.convex = false, .face_by_face = true};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 template <class Real, class Last, class Report>

@@ -1,9 +1,12 @@
 // The plane: boundary of a half space, infinite, so it is in no tree.
 #pragma once
 
+#include <limits>
+
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/ray.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 
 namespace lancer {
 
@@ -16,6 +19,10 @@ struct HalfSpace {
     Real filter_error =
         transform_error + filter_error_of(point);  ///< of `point` in a plain difference
     Real offset = dot(normal, point);
+
+    static constexpr SolidTraits traits{.convex = true, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 /// Where a line crosses a plane, by the plain difference of places: crossing() finds it between

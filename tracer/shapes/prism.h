@@ -1,9 +1,12 @@
 // Prisms: a true outline drawn up along y, met without a mesh in between.
 #pragma once
 
+#include <limits>
+
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/ray.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 #include "tracer/splines/extrusion.h"
 
 namespace lancer {
@@ -13,6 +16,10 @@ template <class Real>
 struct PrismSolid {
     const splines::Extrusion<Real>* surface;  ///< its curve's exponent is from this solid's space
     int unit = 0;  ///< this solid's space is the shape's own times 2^unit
+
+    static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 template <class Real, class Last, class Report>

@@ -4,6 +4,7 @@
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/ray.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 
 namespace lancer {
 
@@ -15,6 +16,10 @@ struct BallSolid {
         0;  ///< bound on how far rounding moved it when a transform put it into the world
     Real filter_error =
         transform_error + filter_error_of(center);  ///< of `center` in a plain difference
+
+    static constexpr SolidTraits traits{.convex = true, .face_by_face = false};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return radius; }
 };
 
 /// Whether plain differences of places tell all that the query wants to know. A filter as in

@@ -1,10 +1,13 @@
 // Triangles: alone, and in meshes that share their vertices.
 #pragma once
 
+#include <limits>
+
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/ray.h"
 #include "tracer/rays/shear.h"
 #include "tracer/rays/surface_point.h"
+#include "tracer/shapes/traits.h"
 
 namespace lancer {
 
@@ -24,6 +27,10 @@ struct TriangleSheet {
         }
         return max_component(most);
     }
+
+    static constexpr SolidTraits traits{.convex = false, .face_by_face = true};
+    /// The largest measure in its own space; infinite where none can be too small.
+    Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
 template <class Real>
