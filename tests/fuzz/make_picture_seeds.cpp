@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/io/image_file.h"
+#include "model/io/stored_image.h"
 #include "tests/io/tiff_file.h"
 
 namespace {
@@ -60,6 +61,24 @@ void write_tiffs(const std::string& folder) {
     }
 }
 
+/// What the picture process hands over.
+void write_shared(const std::string& folder) {
+    const SharedMemory memory;
+    SharedSink sink(memory.descriptor());
+    StoredShape shape;
+    shape.width = 3;
+    shape.height = 2;
+    shape.channels = 5;
+    shape.orientation = 6;
+    shape.extra_names = {"Z"};
+    sink.shape(shape);
+    const std::vector<unsigned char> pixels(30, 200);
+    sink.bytes(pixels.data(), pixels.size());
+    sink.finish("");
+    std::ifstream in("/proc/self/fd/" + std::to_string(memory.descriptor()), std::ios::binary);
+    std::ofstream(folder + "/picture.shared", std::ios::binary) << in.rdbuf();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -68,6 +87,7 @@ int main(int argc, char** argv) {
         std::filesystem::create_directories(argv[1]);
         write_pictures(argv[1]);
         write_tiffs(argv[1]);
+        write_shared(argv[1]);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "make_picture_seeds: %s\n", error.what());
