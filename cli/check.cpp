@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/mesh_hints.h"
 #include "cli/scene_loader.h"
 
 namespace lancer::cli {
@@ -19,7 +20,10 @@ struct CheckJob {
 ExitCode check(const std::string& path, const CheckJob& job, Session& session) {
     try {
         SceneLoader loader(path, job.scene_options, session);
-        session.terminal.show(missing_parts(loader.load()), session.sources);
+        const Scene scene = loader.load();
+        std::vector<Diagnostic> hints = missing_parts(scene);
+        for (Diagnostic& hint : smoothed_edges(scene)) hints.push_back(std::move(hint));
+        session.terminal.show(std::move(hints), session.sources);
     } catch (const SceneRejected& rejected) {
         return rejected.code;
     } catch (const FileError& error) {

@@ -4,6 +4,7 @@
 
 #include "model/io/file.h"
 #include "model/io/texture_file.h"
+#include "parser/advice.h"
 #include "parser/evaluator.h"
 #include "parser/program.h"
 #include "parser/syntax.h"
@@ -64,13 +65,15 @@ Evaluation evaluate(const Script& script, const Definitions& definitions, const 
             evaluator.check_definitions(usage);
         } catch (const StopReading&) {
         }
+        result.scene = evaluator.take_scene();
+        if (!report.any_error())
+            for (Diagnostic& warning : advice_on(result.scene)) found.push_back(std::move(warning));
         // In the order of the text, whichever stage found them.
         const auto key = [](const Diagnostic& d) {
             return std::pair(d.where.file, d.where.offset);
         };
         std::stable_sort(found.begin(), found.end(),
                          [&](const auto& a, const auto& b) { return key(a) < key(b); });
-        result.scene = evaluator.take_scene();
         result.printed = evaluator.take_printed();
     } catch (const StopReading&) {
     }

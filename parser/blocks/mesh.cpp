@@ -1,9 +1,38 @@
 #include "model/io/mesh_file.h"
 
+#include "model/smoothing.h"
 #include "parser/blocks/attributes.h"
 #include "parser/blocks/blocks.h"
 
-namespace lancer::blocks {
+namespace lancer {
+namespace {
+
+/// What `smooth` says.
+struct Smoothing {
+    bool on = true;
+    std::optional<double> angle;
+};
+
+}  // namespace
+
+namespace rules {
+
+struct FlagOrAngle {
+    static constexpr std::string_view takes = "true, false or an angle from 0 to 180 degrees";
+    static bool read(const Value& value, Smoothing& out, std::string&) {
+        if (value.is(Value::Kind::boolean)) {
+            out = {value.boolean(), {}};
+            return true;
+        }
+        if (!value.is_number() || !HalfAngle::holds(value.number())) return false;
+        out = {true, value.number()};
+        return true;
+    }
+};
+
+}  // namespace rules
+
+namespace blocks {
 namespace {
 
 struct MeshSpec {
@@ -12,7 +41,7 @@ struct MeshSpec {
     std::vector<std::vector<std::uint32_t>> faces;
     std::vector<Vec3d> normals;
     std::vector<Vec2d> uvs;
-    bool smooth = true;
+    Smoothing smooth;
 };
 
 constexpr Field mesh_fields[] = {
@@ -23,7 +52,9 @@ constexpr Field mesh_fields[] = {
     field<&MeshSpec::normals, rules::Points>("normals", "averages of the faces",
                                              "a normal for each vertex"),
     field<&MeshSpec::uvs, rules::PlanePoints>("uvs", "none", "texture coordinates of each vertex"),
-    field<&MeshSpec::smooth, rules::Flag>("smooth", "true", "false: flat faces"),
+    field<&MeshSpec::smooth, rules::FlagOrAngle>("smooth", "true; of STL 40",
+                                                 "false: flat faces; an angle: edges sharper than "
+                                                 "that stay sharp where no normals are given"),
 };
 
 std::string count_of(std::size_t count, std::string_view one, std::string_view more) {
@@ -62,7 +93,7 @@ void add_mesh(BlockReader& block, const std::shared_ptr<const Mesh>& mesh, const
     const auto [at, is_new] =
         block.builder().mesh_indices.emplace(mesh.get(), static_cast<std::uint32_t>(meshes.size()));
     if (is_new) meshes.push_back(mesh);
-    block.builder().add(MeshRef{at->second, spec.smooth}, attributes, block.place());
+    block.builder().add(MeshRef{at->second, spec.smooth.on}, attributes, block.place());
 }
 
 void add_inline(BlockReader& block, MeshSpec& spec, const Attributes& attributes) {
@@ -80,7 +111,33 @@ void add_inline(BlockReader& block, MeshSpec& spec, const Attributes& attributes
             mesh->faces.push_back({face[t[0]], face[t[1]], face[t[2]]});
     }
     warn_degenerate(block, block.place("faces"), degenerate);
-    if (!mesh->faces.empty()) add_mesh(block, mesh, spec, attributes);
+    if (mesh->faces.empty()) return;
+    if (mesh->normals.empty() && spec.smooth.angle)
+        *mesh = with_sharp_edges(*mesh, *spec.smooth.angle);
+    add_mesh(block, mesh, spec, attributes);
+}
+
+/// STL never has normals of vertices.
+bool lacks_normals(std::string path) {
+    for (char& c : path) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return path.ends_with(".stl");
+}
+
+/// The mesh of a file, with normals by the angle that the scene or the format asks for. It is made
+/// once and kept beside the file's own, under its path and the angle.
+std::shared_ptr<const Mesh> smoothed(BlockReader& block,
+                                     const std::shared_ptr<const io::LoadedMesh>& loaded,
+                                     const std::string& path, std::optional<double> angle) {
+    constexpr double of_formats_without_normals = 40;
+    if (!block.has("smooth") && lacks_normals(path)) angle = of_formats_without_normals;
+    if (!angle || !loaded->mesh.normals.empty()) return {loaded, &loaded->mesh};
+    auto& made = block.evaluator().program().meshes[path + '\n' + to_text(*angle)].content;
+    if (made == nullptr) {
+        auto fresh = std::make_shared<io::LoadedMesh>();
+        fresh->mesh = with_sharp_edges(loaded->mesh, *angle);
+        made = std::move(fresh);
+    }
+    return {made, &made->mesh};
 }
 
 }  // namespace
@@ -105,14 +162,15 @@ void make_mesh(BlockReader& block, std::uint32_t&) {
         add_inline(block, spec, attributes);
         return;
     }
-    const auto loaded =
-        block.evaluator().load_mesh(block.resolve_path(spec.file), block.place("file"));
+    const std::string path = block.resolve_path(spec.file);
+    const auto loaded = block.evaluator().load_mesh(path, block.place("file"));
     if (loaded == nullptr) return;
     for (const std::string& text : loaded->warnings)
         block.warning(Message::mesh_file, block.place("file"), text);
     warn_degenerate(block, block.place("file"), loaded->degenerate);
-    const std::shared_ptr<const Mesh> shared(loaded, &loaded->mesh);
-    if (!shared->faces.empty()) add_mesh(block, shared, spec, attributes);
+    if (loaded->mesh.faces.empty()) return;
+    add_mesh(block, smoothed(block, loaded, path, spec.smooth.angle), spec, attributes);
 }
 
-}  // namespace lancer::blocks
+}  // namespace blocks
+}  // namespace lancer

@@ -1,0 +1,33 @@
+#include "cli/mesh_hints.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "model/smoothing.h"
+
+namespace lancer::cli {
+
+std::vector<Diagnostic> smoothed_edges(const Scene& scene) {
+    constexpr double sharp = 60;
+    std::vector<Diagnostic> found;
+    std::set<std::uint32_t> seen;  // meshes
+    for (const Object& object : scene.objects) {
+        const auto* ref = std::get_if<MeshRef>(&object.shape);
+        if (ref == nullptr || !ref->smooth || !seen.insert(ref->mesh).second) continue;
+        const Mesh& mesh = *scene.meshes[ref->mesh];
+        if (!mesh.normals.empty()) continue;
+        const std::size_t count = count_sharp_edges(mesh, sharp);
+        if (count == 0) continue;
+        found.push_back({Severity::warning,
+                         object.place,
+                         fmt::format("this mesh has no normals, so it is smoothed over all edges, "
+                                     "{} of them sharper than {} degrees",
+                                     count, sharp),
+                         "'smooth 40' keeps sharp edges, 'smooth false' all",
+                         {}});
+    }
+    return found;
+}
+
+}  // namespace lancer::cli
