@@ -37,7 +37,8 @@ struct SlabRay {
     /// box is `widened` by next to the plane, and far from the plane lo changes the distance by 2 u
     /// of itself.
     static SlabRay of(Number origin, Number inverse) {
-        return {origin, origin, inverse, inverse, std::signbit(inverse)};
+        using std::signbit;
+        return {origin, origin, inverse, inverse, signbit(inverse)};
     }
 };
 
