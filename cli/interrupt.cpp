@@ -1,5 +1,6 @@
 #include "cli/interrupt.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -7,7 +8,7 @@
 #include <ctime>
 #include <initializer_list>
 
-#include "model/io/temporary_file.h"
+#include "model/io/temporary_registry.h"
 
 namespace lancer::cli {
 namespace {
@@ -50,6 +51,22 @@ void end_on_interrupt() {
         sigaction(signal_number, nullptr, &before);
         // A caller that ignores the signal (nohup, a shell's background job) has its reasons.
         if (before.sa_handler != SIG_IGN) sigaction(signal_number, &action, nullptr);
+    }
+}
+
+void keep_on_broken_output() {
+    for (const int signal_number : {SIGPIPE, SIGXFSZ}) signal(signal_number, SIG_IGN);
+}
+
+void open_missing_streams() {
+    // The lowest free number is taken, so that each is opened before the next is looked at. The
+    // wrong way round: reading from 0 and writing to the others is to fail. /dev/full, so that it
+    // fails by the name /dev/stdout as well.
+    if (fcntl(STDIN_FILENO, F_GETFD) < 0) [[maybe_unused]]
+        const int input = open("/dev/null", O_WRONLY);
+    for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(number, F_GETFD) < 0 && open("/dev/full", O_RDONLY) < 0) [[maybe_unused]]
+            const int output = open("/dev/null", O_RDONLY);
     }
 }
 

@@ -44,7 +44,30 @@ std::string ending_of(const std::string& path) {
     return ending.size() <= 16 ? ending : "";
 }
 
-/// The file that `path` leads to through symbolic links, which need not exist.
+void write_all(int descriptor, std::string_view bytes, const std::string& path) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) throw system_error("cannot write", path, errno);
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void append_to(const std::string& path, std::string_view bytes) {
+    const Descriptor file(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (file.number() < 0) throw system_error("cannot write", path, errno);
+    write_all(file.number(), bytes, path);
+}
+
+void refuse_folder(const std::string& path) {
+    if (path.empty()) throw system_error("cannot write", path, ENOENT);
+    struct stat status {};
+    if (path.back() == '/' || (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)))
+        throw system_error("cannot write", path, EISDIR);
+}
+
+}  // namespace
+
 std::string follow_links(std::string path) {
     for (int i = 0; i < 40; ++i) {
         std::error_code error;
@@ -54,19 +77,6 @@ std::string follow_links(std::string path) {
     }
     throw system_error("cannot write", path, ELOOP);
 }
-
-void append_to(const std::string& path, std::string_view bytes) {
-    const Descriptor file(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-    if (file.number() < 0) throw system_error("cannot write", path, errno);
-    while (!bytes.empty()) {
-        const ssize_t written = write(file.number(), bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) throw system_error("cannot write", path, errno);
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-}
-
-}  // namespace
 
 bool is_stream(const std::string& path) {
     const std::string_view name = path;
@@ -109,11 +119,7 @@ std::string read_file(const std::string& path, std::size_t limit) {
 
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary)>& write) {
-    if (path.empty()) throw system_error("cannot write", path, ENOENT);
-    struct stat status {};
-    if (path.back() == '/' || (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))) {
-        throw system_error("cannot write", path, EISDIR);
-    }
+    refuse_folder(path);
     if (is_stream(path)) {
         const TemporaryFile temporary(std::filesystem::temp_directory_path().string(),
                                       ending_of(path), path);
@@ -128,11 +134,15 @@ void write_atomically(const std::string& path,
 }
 
 void write_file(const std::string& path, const std::string& bytes) {
+    refuse_folder(path);
     if (is_stream(path)) {
         append_to(path, bytes);
         return;
     }
-    write_atomically(path, [&](const std::string& temporary) { append_to(temporary, bytes); });
+    const std::string target = follow_links(path);
+    TemporaryFile temporary(folder_of(target), ending_of(path), path);
+    write_all(temporary.descriptor(), bytes, path);
+    temporary.keep_as(target);
 }
 
 }  // namespace lancer::io

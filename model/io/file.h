@@ -1,4 +1,4 @@
-// Whole files: read at once, written under a temporary name and renamed.
+// Whole files: read at once, and written so that nobody sees half of one.
 #pragma once
 
 #include <functional>
@@ -14,9 +14,14 @@ std::string read_file(const std::string& path, std::size_t limit = std::size_t(1
 /// which cannot be replaced, or the name of an open file such as /dev/stdout, which must not be.
 bool is_stream(const std::string& path);
 
-/// Runs `write(temporary)` with a temporary name in the folder of `path`, then renames it to `path`
-/// with the access rights an ordinary new file has. On any exception the temporary file is removed
-/// and `path` keeps what it held. Throws FileError when the folder is missing or not writable.
+/// The file that `path` leads to through symbolic links, which need not exist. Throws FileError for
+/// links that lead round in a circle.
+std::string follow_links(std::string path);
+
+/// Runs `write(temporary)` with a name to open a temporary file by, then makes that file `path`, in
+/// one step and with the access rights an ordinary new file has. On any exception, and when the
+/// process is killed, `path` keeps what it held. Throws FileError when the folder is missing or not
+/// writable.
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary)>& write);
 

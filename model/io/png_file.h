@@ -16,6 +16,13 @@ bool is_png(std::string_view bytes);
 std::string encode_png(const Image& image, const ImageWriteOptions& options,
                        const std::string& name);
 
+/// The curve that decode_png decodes this file's colours by: "sRGB", "linear" (gAMA 1), or a gAMA
+/// chunk with its number, as "gAMA 0.45455". Empty when the file cannot be read.
+std::string png_curve(std::string_view bytes);
+
+/// A whole PNG with one more text chunk before its end. No picture depends on it.
+std::string with_png_text(std::string png, const std::string& keyword, const std::string& text);
+
 /// 1 channel (grey), 3 (RGB) or 4 (RGBA, grey with alpha too). Colour in linear light by the rules
 /// POV-Ray 3.7 has: an sRGB chunk or none means the sRGB curve, for 16 bits too; a gAMA chunk alone
 /// means its power law. Throws FileError naming `name`.

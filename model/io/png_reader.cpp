@@ -111,6 +111,18 @@ bool is_png(std::string_view bytes) {
     return bytes.starts_with("\x89PNG\r\n\x1a\n");
 }
 
+std::string png_curve(std::string_view bytes) {
+    Reader reader;
+    Layout layout;
+    reader.rest = bytes;
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
+    if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
+    if (reader.info == nullptr || !read_header(reader, layout)) return {};
+    if (layout.srgb) return "sRGB";
+    if (layout.gamma == PNG_FP_1) return "linear";
+    return fmt::format("gAMA {:.5f}", static_cast<double>(layout.gamma) / PNG_FP_1);
+}
+
 Image decode_png(std::string_view bytes, const std::string& name, ColorSpace space) {
     Reader reader;
     Layout layout;

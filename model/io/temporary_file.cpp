@@ -2,118 +2,128 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <random>
 
-#include "model/diagnostic.h"
+#include "model/io/leftovers.h"
 #include "model/io/system_error.h"
+#include "model/io/temporary_registry.h"
 
 namespace lancer::io {
 namespace {
 
-// What a signal handler may read: no heap, no locks. A name is complete before its slot becomes
-// `used`, and the handler looks at nothing else. A name that ends in '/' is a folder's.
-enum class State { free, reserved, used };
+constexpr int most_attempts = 100;
 
-struct Slot {
-    std::atomic<State> state{State::free};
-    std::array<char, 4096> name{};
-};
-static_assert(std::atomic<State>::is_always_lock_free);
-
-std::array<Slot, 32> slots;
-
-/// The slot that now holds `name`, or -1 when all are taken or the name is too long: then the file
-/// merely outlives a signal.
-int enter(const std::string& name) {
-    if (name.size() >= slots[0].name.size()) return -1;
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        State expected = State::free;
-        if (!slots[i].state.compare_exchange_strong(expected, State::reserved)) continue;
-        std::memcpy(slots[i].name.data(), name.c_str(), name.size() + 1);
-        slots[i].state.store(State::used);
-        return static_cast<int>(i);
-    }
-    return -1;
+/// Whether an open file or folder can still be found by a name. A run that removes leftovers may
+/// have come between making one and locking it.
+bool is_still_there(int descriptor) {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0 && status.st_nlink > 0;
 }
 
-bool is_folder(const Slot& slot) {
-    return slot.name[std::strlen(slot.name.data()) - 1] == '/';
+bool is_same_file(int descriptor, const std::string& name) {
+    struct stat open_file {};
+    struct stat named_file {};
+    return fstat(descriptor, &open_file) == 0 && stat(name.c_str(), &named_file) == 0 &&
+           open_file.st_dev == named_file.st_dev && open_file.st_ino == named_file.st_ino;
 }
 
-void leave(int slot) {
-    if (slot >= 0) slots[static_cast<std::size_t>(slot)].state.store(State::free);
+/// Network file systems report a full disk when a descriptor is closed.
+bool is_stored(int descriptor) {
+    const int copy = dup(descriptor);
+    return copy >= 0 && close(copy) == 0;
 }
 
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::string& folder, const std::string& ending,
-                             const std::string& purpose) {
-    static std::atomic<unsigned> counter{0};
-    std::random_device random;
-    for (int attempt = 0;; ++attempt) {
-        name_ = fmt::format("{}{}.lancer-{}-{}-{:08x}{}", folder,
-                            folder.empty() || folder.back() == '/' ? "" : "/", getpid(),
-                            counter.fetch_add(1), random(), ending);
-        const int file = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file >= 0) {
-            close(file);
-            slot_ = enter(name_);
-            return;
-        }
-        if (errno != EEXIST || attempt == 100) throw system_error("cannot write", purpose, errno);
+                             const std::string& purpose, Naming naming)
+    : folder_(folder) {
+    remove_leftover_files(folder);
+    if (naming == Naming::always || !open_unnamed()) open_named(ending, purpose);
+}
+
+bool TemporaryFile::open_unnamed() {
+    const char* folder = folder_.empty() ? "." : folder_.c_str();
+    descriptor_ = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) return false;
+    name_ = fmt::format("/proc/{}/fd/{}", getpid(), descriptor_);
+    if (is_same_file(descriptor_, name_)) {
+        lock_at_once(descriptor_);
+        return true;
     }
+    close(descriptor_);  // there is no /proc, or not that of this process
+    return false;
+}
+
+void TemporaryFile::open_named(const std::string& ending, const std::string& purpose) {
+    for (int attempt = 0;; ++attempt) {
+        name_ = new_temporary_name(folder_, ending);
+        descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0) {
+            lock_at_once(descriptor_);
+            if (is_still_there(descriptor_)) break;
+            close(descriptor_);
+            errno = EEXIST;
+        }
+        if (errno != EEXIST || attempt == most_attempts)
+            throw system_error("cannot write", purpose, errno);
+    }
+    has_name_ = true;
+    slot_ = remember_temporary(name_);
 }
 
 TemporaryFile::~TemporaryFile() {
-    if (!name_.empty()) unlink(name_.c_str());
-    leave(slot_);
+    if (has_name_) unlink(name_.c_str());
+    forget_temporary(slot_);
+    close(descriptor_);
 }
 
 void TemporaryFile::keep_as(const std::string& path) {
-    if (std::rename(name_.c_str(), path.c_str()) != 0) {
-        throw system_error("cannot write", path, errno);
+    if (!is_stored(descriptor_)) throw system_error("cannot write", path, errno);
+    if (!has_name_) {
+        if (linkat(AT_FDCWD, name_.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) return;
+        if (errno != EEXIST) throw system_error("cannot write", path, errno);
+        // A link never takes the place of a file; renaming does, and needs a name for a moment.
+        const std::string unnamed = name_;
+        name_ = new_temporary_name(folder_, "");
+        slot_ = remember_temporary(name_);
+        if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) != 0)
+            throw system_error("cannot write", path, errno);
+        has_name_ = true;
     }
-    name_.clear();
-    leave(slot_);
-    slot_ = -1;
+    if (std::rename(name_.c_str(), path.c_str()) != 0)
+        throw system_error("cannot write", path, errno);
+    has_name_ = false;
 }
 
 TemporaryFolder::TemporaryFolder() {
     std::error_code error;
-    std::string name = (std::filesystem::temp_directory_path(error) / "lancer-XXXXXX").string();
-    if (error || mkdtemp(name.data()) == nullptr)
-        throw system_error("cannot make", "a temporary folder", error ? error.value() : errno);
-    path_ = name;
-    slot_ = enter(name + "/");
+    const std::string parent = std::filesystem::temp_directory_path(error).string();
+    if (error) throw system_error("cannot make", "a temporary folder", error.value());
+    remove_leftover_folders(parent);
+    for (int attempt = 0;; ++attempt) {
+        std::string name = temporary_folder_pattern(parent);
+        if (attempt == most_attempts || mkdtemp(name.data()) == nullptr)
+            throw system_error("cannot make", "a temporary folder", errno);
+        path_ = name;
+        descriptor_ = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (descriptor_ >= 0) lock_at_once(descriptor_);
+        if (descriptor_ >= 0 && is_still_there(descriptor_)) break;
+        if (descriptor_ >= 0) close(descriptor_);
+    }
+    slot_ = remember_temporary(path_.string() + "/");
 }
 
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
-    leave(slot_);
-}
-
-void remove_temporary_files() noexcept {
-    for (Slot& slot : slots) {
-        if (slot.state.load() == State::used && !is_folder(slot)) unlink(slot.name.data());
-    }
-}
-
-char* next_temporary_folder() noexcept {
-    for (Slot& slot : slots) {
-        if (slot.state.load() != State::used || !is_folder(slot)) continue;
-        slot.state.store(State::reserved);
-        return slot.name.data();
-    }
-    return nullptr;
+    forget_temporary(slot_);
+    close(descriptor_);
 }
 
 }  // namespace lancer::io

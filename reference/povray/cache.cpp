@@ -1,15 +1,15 @@
 #include "reference/povray/cache.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "model/diagnostic.h"
+#include "model/io/file.h"
 #include "reference/povray/sha256.h"
 
 namespace lancer::reference {
@@ -72,27 +72,17 @@ std::optional<CacheEntry> read_cache(const std::string& folder, const std::strin
 }
 
 bool write_cache(const std::string& folder, const std::string& key, const CacheEntry& entry) {
-    static std::atomic<unsigned> count{0};
     const fs::path path = entry_path(folder, key);
-    const fs::path temporary =
-        path.string() + fmt::format(".{}-{}", static_cast<long>(::getpid()), ++count);
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    {
-        std::ofstream file(temporary, std::ios::binary);
-        file << magic << sha256(entry.png) << ' ' << fmt::format("{}", entry.seconds) << '\n'
-             << entry.png;
-        file.close();
-        if (!file) {
-            fs::remove(temporary, error);
-            return false;
-        }
-    }
-    fs::rename(temporary, path, error);
-    if (!error) return true;
     std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return false;
+    fs::create_directories(path.parent_path(), ignored);
+    try {
+        io::write_file(
+            path.string(),
+            fmt::format("{}{} {}\n", magic, sha256(entry.png), entry.seconds) + entry.png);
+    } catch (const FileError&) {
+        return false;
+    }
+    return true;
 }
 
 }  // namespace lancer::reference

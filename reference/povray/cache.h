@@ -20,7 +20,7 @@ std::string cache_key(const PovRay& povray, const PovJob& job);
 /// The entry, or nothing when there is none or it is not whole.
 std::optional<CacheEntry> read_cache(const std::string& folder, const std::string& key);
 
-/// Keeps an entry; written under another name and renamed. A cache that cannot be written costs
+/// Keeps an entry. A cache that cannot be written costs
 /// time, not the picture: false then.
 bool write_cache(const std::string& folder, const std::string& key, const CacheEntry& entry);
 
