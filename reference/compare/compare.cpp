@@ -30,18 +30,23 @@ std::string describe_non_finite(const Image& image, std::size_t count) {
                        count == 1 ? " that is" : "s that are", pixel % width, pixel / width);
 }
 
+/// Whether the fourth channel, which has to be there, is 1 in every pixel.
+bool is_opaque(const Image& image) {
+    for (std::size_t i = 3; i < image.data.size(); i += static_cast<std::size_t>(image.channels))
+        if (image.data[i] != 1) return false;
+    return true;
+}
+
 /// Why the two cannot be measured against each other; empty when they can.
 std::string why_not_comparable(const Image& a, const Image& b, const Comparison& found) {
     if (a.width != b.width || a.height != b.height) {
         return fmt::format("the sizes differ: {} x {} against {} x {}", a.width, a.height, b.width,
                            b.height);
     }
-    if (compared_channels(a) != compared_channels(b)) {
-        return fmt::format("the numbers of channels differ: {} against {}", compared_channels(a),
-                           compared_channels(b));
-    }
-    if (a.width <= 0 || a.height <= 0 || compared_channels(a) <= 0) {
-        return "the pictures are empty";
+    if (a.width <= 0 || a.height <= 0 || a.color_channels() <= 0) return "the pictures are empty";
+    if (compared_channels(a, b) == 0) {
+        return fmt::format("the numbers of channels differ: {} against {}", a.color_channels(),
+                           b.color_channels());
     }
     if (found.non_finite_a > 0) {
         return "the first picture has " + describe_non_finite(a, found.non_finite_a);
@@ -85,14 +90,22 @@ void measure_values(const Image& a, const Image& b, Comparison& result) {
 
 }  // namespace
 
-int compared_channels(const Image& image) {
-    return image.channels - static_cast<int>(image.extra_names.size());
+int compared_channels(const Image& a, const Image& b) {
+    const int channels_a = a.color_channels();
+    const int channels_b = b.color_channels();
+    if (channels_a == channels_b) return channels_a;
+    const auto adds_nothing = [](const Image& image, int channels) {
+        return image.color_channels() == channels + 1 && is_opaque(image);
+    };
+    if (channels_b == 3 && adds_nothing(a, channels_b)) return channels_b;
+    if (channels_a == 3 && adds_nothing(b, channels_a)) return channels_a;
+    return 0;
 }
 
 std::vector<double> pixel_differences(const Image& a, const Image& b) {
     assert(a.width == b.width && a.height == b.height);
-    assert(compared_channels(a) == compared_channels(b));
-    const int channels = compared_channels(a);
+    const int channels = compared_channels(a, b);
+    assert(channels > 0);
     std::vector<double> result;
     result.reserve(static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height));
     for (int y = 0; y < a.height; ++y) {
@@ -120,7 +133,7 @@ Comparison compare_images(const Image& a, const Image& b, const CompareOptions& 
     Comparison result;
     result.width = a.width;
     result.height = a.height;
-    result.channels = compared_channels(a);
+    result.channels = compared_channels(a, b);
     result.non_finite_a = count_non_finite(a);
     result.non_finite_b = count_non_finite(b);
     result.reason = why_not_comparable(a, b, result);

@@ -30,6 +30,11 @@ struct Comparison {
     std::size_t non_finite_a = 0;  ///< values of the first picture that are NaN or infinite
     std::size_t non_finite_b = 0;
 
+    /// The curves that the two files were decoded by (io::curve_of), for whoever read them to set.
+    /// Where they differ the same number in the two files is another value.
+    std::string curve_a;
+    std::string curve_b;
+
     // ----
     int width = 0;
     int height = 0;
@@ -51,11 +56,12 @@ struct Comparison {
     double flip = 0;  ///< mean FLIP error, 0..1, see flip.h; 0 when not asked for
 };
 
-/// The number of channels of `image` that are compared: all but the named extra ones.
-int compared_channels(const Image& image);
+/// How many channels of the two are compared: all but the named extra ones, and without an alpha
+/// that only one of them has and that is 1 everywhere. 0 when the channels differ.
+int compared_channels(const Image& a, const Image& b);
 
 /// Per pixel, rows from the top: the largest of the absolute differences of its channels. Both
-/// pictures must have the same size and the same compared_channels().
+/// pictures must have the same size and compared_channels().
 std::vector<double> pixel_differences(const Image& a, const Image& b);
 
 /// The smallest value with at least `share` (0..1] of the values at or below it. Reorders `values`,

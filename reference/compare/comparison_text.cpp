@@ -18,10 +18,18 @@ std::string channel_name(int channel, int channels) {
 
 }  // namespace
 
+std::string curves_note(const Comparison& c) {
+    if (c.curve_a.empty() || c.curve_b.empty() || c.curve_a == c.curve_b) return {};
+    return fmt::format("{} against {}: the same number in the two files is another value",
+                       c.curve_a, c.curve_b);
+}
+
 std::string to_text(const Comparison& c, const CompareOptions& options) {
     if (!c.comparable) return fmt::format("FAIL: {}\n", c.reason);
     std::string text = fmt::format("{} x {} pixels, {} channels, differences in linear light\n",
                                    c.width, c.height, c.channels);
+    if (const std::string note = curves_note(c); !note.empty())
+        text += fmt::format("  curves  {}\n", note);
     text += fmt::format("  mean    {:.4g}\n", c.mean);
     text += fmt::format("  rmse    {:.4g}\n", c.rmse);
     text += c.rmse > 0 ? fmt::format("  psnr    {:.2f} dB\n", c.psnr)
@@ -53,6 +61,7 @@ std::string to_json(const Comparison& c, const CompareOptions& options) {
     json["height"] = c.height;
     json["channels"] = c.channels;
     json["pixels"] = c.pixels;
+    json["curves"] = {c.curve_a, c.curve_b};
     json["mean"] = number(c.mean);
     json["rmse"] = number(c.rmse);
     json["psnr"] = number(c.psnr);

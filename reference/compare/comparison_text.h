@@ -7,6 +7,9 @@
 
 namespace lancer::reference {
 
+/// What to say of files that were decoded by different curves; empty when they were not.
+std::string curves_note(const Comparison& comparison);
+
 /// A table, one measure to a line with the achieved value and, where there is one, the threshold
 /// beside it; then the verdict. Ends with a line feed.
 std::string to_text(const Comparison& comparison, const CompareOptions& options);

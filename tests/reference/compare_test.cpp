@@ -43,6 +43,35 @@ TEST(CompareImages, PassesEqualPicturesWithAllMeasuresZero) {
     EXPECT_TRUE(std::isinf(c.psnr));
 }
 
+/// The same with a fourth channel.
+Image with_alpha(const Image& image, double alpha) {
+    Image result(image.width, image.height, 4);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            for (int c = 0; c < 3; ++c) result.pixel(x, y)[c] = image.pixel(x, y)[c];
+            result.pixel(x, y)[3] = alpha;
+        }
+    }
+    return result;
+}
+
+TEST(CompareImages, AnAlphaThatIsOneEverywhereIsNoDifference) {
+    Image b = with_alpha(grey(), 1);
+    EXPECT_TRUE(compare_images(grey(), b, over(0)).pass);
+    EXPECT_TRUE(compare_images(b, grey(), over(0)).pass);
+    EXPECT_EQ(compare_images(b, grey(), over(0)).channels, 3);
+    b.pixel(7, 3)[1] = 0.55;
+    const Comparison c = compare_images(b, grey(), over(0.1));
+    EXPECT_EQ(c.pixels_over, 1u);
+    EXPECT_NEAR(c.mean, 0.3 / 600, 1e-15);
+    EXPECT_EQ(pixel_differences(grey(), b)[67], b.pixel(7, 3)[1] - 0.25);
+
+    b.pixel(19, 9)[3] = 0.999;
+    EXPECT_THAT(compare_images(grey(), b, over(1)).reason, HasSubstr("3 against 4"));
+    EXPECT_EQ(compare_images(with_alpha(grey(), 1), b, over(0.1)).pixels_over, 1u)
+        << "two alphas are compared";
+}
+
 TEST(CompareImages, MeasuresOneDifferentValueOfOnePixel) {
     Image b = grey();
     b.pixel(7, 3)[1] = 0.55;
@@ -147,6 +176,19 @@ TEST(ComparisonText, PrintsTheAchievedValueBesideTheThreshold) {
     EXPECT_THAT(text, HasSubstr("0.3 at (7, 3), green: 0.25 against 0.55"));
     EXPECT_THAT(text, HasSubstr("0.5 % of the pixels over 0.1, allowed 0.25 %"));
     EXPECT_THAT(text, HasSubstr("FAIL: 1 of 200 pixels differ by more than 0.1, 0 allowed"));
+}
+
+TEST(ComparisonText, NamesCurvesThatDiffer) {
+    Comparison different = compare_images(grey(), grey(), over(0));
+    different.curve_a = "sRGB";
+    different.curve_b = "gAMA 0.45455";
+    EXPECT_THAT(to_text(different, over(0)), HasSubstr("curves  sRGB against gAMA 0.45455: "));
+    EXPECT_EQ(nlohmann::json::parse(to_json(different, over(0))).at("curves"),
+              nlohmann::json({"sRGB", "gAMA 0.45455"}));
+    for (const char* curve : {"sRGB", ""}) {
+        different.curve_b = curve;
+        EXPECT_THAT(to_text(different, over(0)), testing::Not(HasSubstr("curves")));
+    }
 }
 
 TEST(ComparisonJson, HasEveryKeyOfTheContract) {
