@@ -1,16 +1,16 @@
 #include "base/parallel.h"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <memory>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
 #include <vector>
+
+#include "base/deep_thread.h"
 
 namespace lancer {
 namespace {
@@ -18,30 +18,6 @@ namespace {
 /// 1,000 levels of recursion at up to 60 kB each (sanitizers); pages that nobody touches cost
 /// nothing.
 constexpr std::size_t stack_bytes = std::size_t(128) << 20;
-
-/// A thread with a chosen stack size, which std::thread does not offer.
-class DeepThread {
-  public:
-    explicit DeepThread(std::function<void()> body) : body_(std::move(body)) {
-        pthread_attr_t attributes;
-        pthread_attr_init(&attributes);
-        pthread_attr_setstacksize(&attributes, stack_bytes);
-        const int failed = pthread_create(&thread_, &attributes, &DeepThread::enter, this);
-        pthread_attr_destroy(&attributes);
-        if (failed != 0) throw std::runtime_error("cannot start a thread");
-    }
-    DeepThread(const DeepThread&) = delete;
-    DeepThread& operator=(const DeepThread&) = delete;
-    ~DeepThread() { pthread_join(thread_, nullptr); }
-
-  private:
-    static void* enter(void* self) {
-        static_cast<DeepThread*>(self)->body_();
-        return nullptr;
-    }
-    std::function<void()> body_;
-    pthread_t thread_{};
-};
 
 }  // namespace
 
@@ -77,7 +53,13 @@ void for_each_task(int tasks, int threads, const Progress& progress,
     {
         std::vector<std::unique_ptr<DeepThread>> pool;
         pool.reserve(static_cast<std::size_t>(std::max(threads, 0)));
-        for (int i = 0; i < threads; ++i) pool.push_back(std::make_unique<DeepThread>(body));
+        try {
+            for (int i = 0; i < threads; ++i)
+                pool.push_back(std::make_unique<DeepThread>(stack_bytes, body));
+        } catch (...) {
+            next = tasks;  // those that run end with the task they are at
+            throw;
+        }
         std::unique_lock lock(mutex);
         while (running > 0) {
             changed.wait_for(lock, std::chrono::milliseconds(100));

@@ -58,6 +58,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    for (const int ignored_here : {SIGPIPE, SIGXFSZ}) ::signal(ignored_here, SIG_DFL);
     const bool ready = ::getppid() == parent && ::chdir(folder) == 0 && ::dup2(nothing, 0) >= 0 &&
                        ::dup2(messages, 1) >= 0 && ::dup2(messages, 2) >= 0;
     if (ready) ::execve(command[0], command, environment);

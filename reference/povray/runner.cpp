@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/parallel.h"
 #include "model/diagnostic.h"
 #include "model/io/png_file.h"
 #include "model/io/temporary_file.h"
@@ -194,10 +194,13 @@ std::vector<PovOutcome> run_povray_jobs(const PovRay& povray, const std::vector<
                                         const PovOptions& options, int parallel,
                                         const std::function<void(std::size_t)>& on_done) {
     std::vector<PovOutcome> outcomes(jobs.size());
-    std::atomic<std::size_t> next{0};
     std::mutex done;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < jobs.size(); i = next++) {
+    const int threads =
+        parallel > 0 ? parallel
+                     : static_cast<int>(std::max(2u, 2 * std::thread::hardware_concurrency()));
+    for_each_task(static_cast<int>(jobs.size()), threads, {}, [&](const NextTask& next) {
+        for (int task = 0; next(task);) {
+            const auto i = static_cast<std::size_t>(task);
             try {
                 outcomes[i].picture = run_povray(povray, jobs[i], options);
             } catch (const std::exception& error) {
@@ -206,14 +209,7 @@ std::vector<PovOutcome> run_povray_jobs(const PovRay& povray, const std::vector<
             const std::lock_guard lock(done);
             if (on_done) on_done(i);
         }
-    };
-    std::size_t count = parallel > 0 ? static_cast<std::size_t>(parallel)
-                                     : std::max(2u, 2 * std::thread::hardware_concurrency());
-    count = std::min(count, jobs.size());
-    std::vector<std::jthread> workers;
-    for (std::size_t i = 1; i < count; ++i) workers.emplace_back(work);
-    if (count > 0) work();
-    workers.clear();  // joins
+    });
     return outcomes;
 }
 
