@@ -31,7 +31,7 @@ ExitCode check(const std::string& path, const CheckJob& job, Session& session) {
         session.terminal.error(error.what());
         return ExitCode::files;
     }
-    if (!job.quiet) fmt::print("{}: no errors\n", path);
+    if (!job.quiet) session.output.say(fmt::format("{}: no errors\n", path));
     return ExitCode::done;
 }
 

@@ -10,12 +10,11 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/output_names.h"
 #include "cli/picture_options.h"
 #include "judge/report/entry_html.h"
 #include "judge/report/folders.h"
 #include "judge/validate/exposure.h"
-#include "model/io/file.h"
+#include "model/io/curve.h"
 #include "model/io/image_file.h"
 #include "reference/compare/comparison_text.h"
 #include "reference/compare/heat_map.h"
@@ -48,63 +47,60 @@ reference::CompareOptions options_of(const CompareJob& job) {
     return options;
 }
 
-void write_text(const std::string& name, const std::string& text) {
-    if (name == "-")
-        fmt::print("{}", text);
-    else if (!name.empty())
-        io::write_file(name, text);
-}
-
-/// Standard output is for one thing alone.
-bool is_quiet(const CompareJob& job) {
-    return job.quiet || job.json == "-" || job.junit == "-";
-}
-
-ExitCode compare_folders(const CompareJob& job) {
+ExitCode compare_folders(const CompareJob& job, Session& session) {
     if (!job.heat_map.empty() || job.exposure)
         throw UsageError("-o and --exposure are for two pictures; two folders take --report DIR");
-    if (job.json == "-" && job.junit == "-")
-        throw UsageError("--json and --junit cannot both go to standard output");
-    const auto show = [&job](const judge::ReportEntry& entry) {
-        if (is_quiet(job)) return;
-        fmt::print("{}  {}{}{}\n", entry.name, judge::verdict_name(entry.verdict),
-                   entry.reasons.empty() ? "" : ": ",
-                   entry.reasons.empty() ? "" : entry.reasons.front());
+    session.will_write(job.json, "--json");
+    session.will_write(job.junit, "--junit");
+    if (!job.report.empty())
+        session.files.add_output_in_new_folder(job.report + "/index.html", "--report");
+    for (const std::string& folder : {job.a, job.b})
+        for (const std::string& name : judge::pictures_in(folder))
+            session.files.add_input(folder + "/" + name);
+    const auto show = [&](const judge::ReportEntry& entry) {
+        if (job.quiet) return;
+        session.output.say(fmt::format(
+            "{}  {}{}{}\n", entry.name, judge::verdict_name(entry.verdict),
+            entry.reasons.empty() ? "" : ": ", entry.reasons.empty() ? "" : entry.reasons.front()));
     };
     const judge::FolderComparison result =
         judge::compare_folders(job.a, job.b, options_of(job), show);
-    write_text(job.json, judge::to_json(result, options_of(job)));
-    write_text(job.junit, judge::junit_xml("lancer compare", judge::junit_cases(result)));
+    session.write(job.json, judge::to_json(result, options_of(job)));
+    session.write(job.junit, judge::junit_xml("lancer compare", judge::junit_cases(result)));
     if (!job.report.empty()) {
         judge::write_report(result.report, job.report);
-        if (!is_quiet(job)) fmt::print("wrote {}/index.html\n", job.report);
+        if (!job.quiet) session.output.say(fmt::format("wrote {}/index.html\n", job.report));
     }
     if (result.unreadable > 0) return ExitCode::files;
     return result.pass ? ExitCode::done : ExitCode::differs;
 }
 
-ExitCode compare(const CompareJob& job) {
+ExitCode compare(const CompareJob& job, Session& session) {
     std::error_code ignored;
     const bool is_folder = std::filesystem::is_directory(job.a, ignored);
-    if (is_folder && std::filesystem::is_directory(job.b, ignored)) return compare_folders(job);
+    if (is_folder && std::filesystem::is_directory(job.b, ignored))
+        return compare_folders(job, session);
     if (!job.report.empty()) throw UsageError("--report takes two folders of pictures");
     if (!job.junit.empty()) throw UsageError("--junit takes two folders of pictures");
     if (!job.heat_map.empty() && !io::is_writable_image_name(job.heat_map)) {
         throw UsageError(
             fmt::format("'{}' does not end in the name of an image format, as .png", job.heat_map));
     }
-    check_spared(job.heat_map, {job.a, job.b});
-    check_spared(job.json, {job.a, job.b, job.heat_map});
+    session.will_write(job.heat_map, "-o");
+    session.will_write(job.json, "--json");
+    session.files.add_input(job.a);
+    session.files.add_input(job.b);
     Image a = io::read_image(job.a);
     if (job.exposure)
         for (double& value : a.data) value = judge::exposed(value, *job.exposure);
     const Image b = io::read_image(job.b);
     const reference::CompareOptions options = options_of(job);
-    const reference::Comparison comparison = reference::compare_images(a, b, options);
-    const std::string json = reference::to_json(comparison, options);
-    write_text(job.json, json);
+    reference::Comparison comparison = reference::compare_images(a, b, options);
+    comparison.curve_a = io::curve_of(job.a);
+    comparison.curve_b = io::curve_of(job.b);
+    session.write(job.json, reference::to_json(comparison, options));
     if (!job.heat_map.empty() && comparison.comparable) write_heat_map(job, a, b);
-    if (!is_quiet(job)) fmt::print("{}", reference::to_text(comparison, options));
+    if (!job.quiet) session.output.say(reference::to_text(comparison, options));
     return comparison.pass ? ExitCode::done : ExitCode::differs;
 }
 
@@ -126,9 +122,7 @@ void add_compare(CLI::App& app, Action& action) {
     add_number(command, "--fail-percent", job->fail_percent, 0, 100,
                "More than P percent of the pixels over: the pictures differ (default 0)")
         ->type_name("P");
-    command
-        .add_option("--json", job->json,
-                    "Write the measures as JSON; - to standard output, in place of the text")
+    command.add_option("--json", job->json, "Write the measures as JSON; - to standard output")
         ->type_name("FILE");
     command
         .add_option("--junit", job->junit,
@@ -141,7 +135,8 @@ void add_compare(CLI::App& app, Action& action) {
         ->type_name("DIR");
     add_picture_options(command);
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
-    command.callback([&action, job] { action = [job](Session&) { return compare(*job); }; });
+    command.callback(
+        [&action, job] { action = [job](Session& session) { return compare(*job, session); }; });
 }
 
 }  // namespace lancer::cli

@@ -9,6 +9,7 @@ enum class ExitCode {
     usage = 2,         ///< wrong use of the command line
     scene = 3,         ///< the scene has errors
     files = 4,         ///< a file cannot be read or written; POV-Ray is missing or failed
+    bug = 70,          ///< the program's own fault, as sysexits.h numbers it
     interrupted = 130  ///< by SIGINT, as shells number it
 };
 

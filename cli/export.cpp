@@ -4,12 +4,15 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/scene_loader.h"
 #include "model/io/file.h"
 #include "reference/pov/export.h"
+#include "reference/pov/signature.h"
 
 namespace lancer::cli {
 namespace {
@@ -24,6 +27,7 @@ struct ExportJob {
     std::optional<double> exposure;
     std::optional<double> min_contribution;
     bool keep_lengths = false;
+    bool force = false;
     bool quiet = false;
     SceneOptions scene_options;
 };
@@ -46,11 +50,22 @@ void show_reservations(const reference::ExportResult& result, const Scene& scene
     session.terminal.show(std::move(found), session.sources);
 }
 
+/// A file that somebody else wrote, or changed, is not replaced unless that is asked for.
+void check_own(const ExportJob& job, const std::string& path) {
+    std::error_code ignored;
+    if (job.force || io::is_stream(path) || !fs::exists(path, ignored)) return;
+    if (reference::is_signed(io::read_file(path))) return;
+    throw UsageError(fmt::format(
+        "'{}' is there already, and not as lancer export wrote it: --force replaces it", path));
+}
+
 ExitCode export_scene(const ExportJob& job, Session& session) {
     const fs::path output(job.output);
     if (output.extension() != ".pov")
         throw UsageError(fmt::format("'{}': the name of a POV-Ray scene ends in .pov", job.output));
 
+    session.will_write(job.output, "-o");
+    check_own(job, job.output);
     SceneLoader loader(job.scene, job.scene_options, session);
     Scene scene = loader.load();
     if (job.min_contribution) scene.settings.min_contribution = *job.min_contribution;
@@ -65,13 +80,21 @@ ExitCode export_scene(const ExportJob& job, Session& session) {
                                .keep_lengths = job.keep_lengths});
     if (session.terminal.show(result.refusals, session.sources) > 0) return ExitCode::scene;
 
-    if (!job.quiet) show_reservations(result, scene, session);
+    std::vector<std::pair<std::string, std::string>> files;  // names and bytes
     for (const reference::Asset& asset : result.assets)
-        io::write_file((output.parent_path() / asset.name).string(), asset.bytes);
-    io::write_file(job.output, result.text);
+        files.emplace_back((output.parent_path() / asset.name).string(), asset.bytes);
+    for (const auto& [path, bytes] : files) {
+        session.will_write(path, "an image of " + job.output);
+        check_own(job, path);
+    }
+    files.emplace_back(job.output, result.text);
+
+    if (!job.quiet) show_reservations(result, scene, session);
+    for (const auto& [path, bytes] : files) io::write_file(path, reference::with_signature(bytes));
     if (!job.quiet) {
-        fmt::print("wrote {}; render it with\n  povray +I{} +W{} +H{} +FN16 File_Gamma=1.0 -D -A\n",
-                   job.output, job.output, view.width, view.height);
+        session.output.say(fmt::format(
+            "wrote {}; render it with\n  povray +I{} +W{} +H{} +FN16 File_Gamma=1.0 -D -A\n",
+            job.output, job.output, view.width, view.height));
     }
     return ExitCode::done;
 }
@@ -102,6 +125,8 @@ void add_export(CLI::App& app, Action& action) {
     add_number(command, "--min-contribution", job->min_contribution, 0, 1,
                "In place of the scene's, as adc_bailout; 0 follows every branch")
         ->type_name("X");
+    command.add_flag("--force", job->force,
+                     "Replace files that export did not write, or that were changed since");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes");
     add_scene_options(command, job->scene_options);
     command.callback([&action, job] {

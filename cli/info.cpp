@@ -37,9 +37,10 @@ std::string projection_of(const Camera& camera) {
                        std::get<OrthographicProjection>(camera.projection).height);
 }
 
-void print_text(const Scene& scene, const SceneSummary& summary) {
-    const auto row = [](const char* name, const std::string& text) {
-        fmt::print("{:<10} {}\n", name, text);
+std::string to_text(const Scene& scene, const SceneSummary& summary) {
+    std::string out;
+    const auto row = [&out](const char* name, const std::string& text) {
+        out += fmt::format("{:<10} {}\n", name, text);
     };
     row("picture",
         fmt::format("{} x {}, {} rays per pixel, {} levels", scene.width, scene.height,
@@ -59,12 +60,13 @@ void print_text(const Scene& scene, const SceneSummary& summary) {
     row("surfaces", fmt::format("{}, {}, {}", list_of({{"material", summary.materials}}),
                                 list_of({{"texture", summary.textures}}),
                                 list_of({{"image", summary.images}})));
-    fmt::print("\nIt requires of the renderer{}\n",
-               summary.requirements.empty() ? " nothing special" : ":");
+    out += fmt::format("\nIt requires of the renderer{}\n",
+                       summary.requirements.empty() ? " nothing special" : ":");
     for (const Requirement& r : summary.requirements) {
-        fmt::print("  {:<17} {}\n  {:<17} {}: {}\n", name_of(r.feature), meaning_of(r.feature), "",
-                   r.place, r.by);
+        out += fmt::format("  {:<17} {}\n  {:<17} {}: {}\n", name_of(r.feature),
+                           meaning_of(r.feature), "", r.place, r.by);
     }
+    return out;
 }
 
 nlohmann::ordered_json as_json(const std::vector<Count>& counts) {
@@ -73,7 +75,7 @@ nlohmann::ordered_json as_json(const std::vector<Count>& counts) {
     return json;
 }
 
-void print_json(const std::string& path, const Scene& scene, const SceneSummary& summary) {
+std::string to_json(const std::string& path, const Scene& scene, const SceneSummary& summary) {
     nlohmann::ordered_json json;
     json["scene"] = path;
     json["picture"] = {{"width", scene.width},
@@ -98,18 +100,14 @@ void print_json(const std::string& path, const Scene& scene, const SceneSummary&
                                     {"place", r.place}});
     }
     // A scene's names need not be UTF-8 when they come from the command line.
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 ExitCode info(const InfoJob& job, Session& session) {
     SceneLoader loader(job.scene, job.scene_options, session);
     const Scene scene = loader.load();
     const SceneSummary summary = summarize(scene, session.sources);
-    if (job.json) {
-        print_json(job.scene, scene, summary);
-    } else {
-        print_text(scene, summary);
-    }
+    session.output.put(job.json ? to_json(job.scene, scene, summary) : to_text(scene, summary));
     return ExitCode::done;
 }
 

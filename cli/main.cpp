@@ -1,12 +1,13 @@
-// The command line. Everything that can go wrong ends here, as a message and an exit code.
+// The command line: its first word is a command, and the rest is for that one.
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
-#include <new>
+#include <sstream>
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/guarded.h"
 #include "cli/interrupt.h"
 #include "cli/session.h"
 #include "model/io/picture_messages.h"
@@ -31,6 +32,32 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
         ": expected one of " + names);
 }
 
+/// What other renderers call an option that a command has by another name; empty: nothing known.
+std::string habit_hint(const CLI::App& command, std::string word) {
+    struct Habit {
+        const char* word;
+        const char* option;
+        const char* hint;
+    };
+    static constexpr Habit habits[] = {
+        {"--width", "--size", "the size of a picture is --size 640x480"},
+        {"--height", "--size", "the size of a picture is --size 640x480"},
+        {"--resolution", "--size", "the size of a picture is --size 640x480"},
+        {"--res", "--size", "the size of a picture is --size 640x480"},
+        {"--spp", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
+        {"--antialias", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
+        {"--aa", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
+        {"--quality", "--preview", "a quick look is --preview"},
+        {"--draft", "--preview", "a quick look is --preview"},
+    };
+    word = word.substr(0, word.find('='));
+    for (const Habit& habit : habits) {
+        if (word == habit.word && command.get_option_no_throw(habit.option) != nullptr)
+            return habit.hint;
+    }
+    return {};
+}
+
 /// About the first argument that the command has no use for.
 std::string unexpected_argument(const CLI::App& app, const std::string& otherwise) {
     for (const CLI::App* command : app.get_subcommands()) {
@@ -41,15 +68,14 @@ std::string unexpected_argument(const CLI::App& app, const std::string& otherwis
             rest, [](const std::string& argument) { return argument.starts_with("-"); });
         if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
         const std::string& word = *option;
-        if (word.starts_with("--width") || word.starts_with("--height") ||
-            word.starts_with("--res"))
-            return "'" + command->get_name() + "' has no option '" + word +
-                   "': the size of a picture is --size 640x480";
+        const std::string start =
+            "'" + command->get_name() + "' has no option '" + word.substr(0, word.find('=')) + "'";
+        if (const std::string hint = habit_hint(*command, word); !hint.empty())
+            return start + ": " + hint;
         Suggestion suggestion(word);
         for (const CLI::Option* known : command->get_options())
             for (const std::string& name : known->get_lnames()) suggestion.consider("--" + name);
-        return "'" + command->get_name() + "' has no option '" + word + "'" +
-               (suggestion.empty() ? "" : ": " + suggestion.hint());
+        return start + (suggestion.empty() ? "" : ": " + suggestion.hint());
     }
     return otherwise;
 }
@@ -74,7 +100,9 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        app.exit(help);  // prints what was asked for
+        std::ostringstream text;
+        app.exit(help, text, text);  // what was asked for
+        session.output.put(text.str());
         return ExitCode::done;
     } catch (const CLI::ExtrasError& error) {
         throw UsageError(unexpected_argument(app, error.what()));
@@ -95,28 +123,10 @@ int main(int argc, char** argv) {
     // This program starts itself to work on pictures; nobody else has a use for that.
     const bool asked_to_serve = argc == 2 && std::string_view(argv[1]) == io::picture_server_word;
     if (asked_to_serve && io::serve_pictures(STDIN_FILENO)) std::_Exit(0);
+    open_missing_streams();
     io::set_picture_program("/proc/self/exe");
     end_on_interrupt();
+    keep_on_broken_output();
     Session session;
-    const auto ended = [&session](ExitCode code, const std::string& message) {
-        session.terminal.error(message);
-        return static_cast<int>(code);
-    };
-    try {
-        return static_cast<int>(parse_and_run(argc, argv, session));
-    } catch (const UsageError& error) {
-        session.terminal.error(error.what());
-        session.terminal.line("    hint: lancer --help, or lancer COMMAND --help");
-        return static_cast<int>(ExitCode::usage);
-    } catch (const SceneRejected& rejected) {
-        return static_cast<int>(rejected.code);
-    } catch (const SceneError& error) {
-        session.terminal.show({{Severity::error, error.where, error.what(), "", {}}},
-                              session.sources);
-        return static_cast<int>(ExitCode::scene);
-    } catch (const FileError& error) {
-        return ended(ExitCode::files, error.what());
-    } catch (const std::bad_alloc&) {
-        return ended(ExitCode::files, "not enough memory");
-    }
+    return static_cast<int>(guarded(session, [&] { return parse_and_run(argc, argv, session); }));
 }

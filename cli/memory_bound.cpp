@@ -1,5 +1,6 @@
 #include "cli/memory_bound.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,14 +8,21 @@
 
 namespace lancer::cli {
 
-std::uint64_t available_memory() {
+std::vector<std::string> control_group_bounds() {
+    return {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"};
+}
+
+std::uint64_t available_memory(const std::vector<std::string>& bounds) {
     const auto pages = static_cast<std::uint64_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
     std::uint64_t bytes = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-    // Versions 2 and 1 of control groups; "max" stands for no bound and is not read as a number.
-    for (const char* path :
-         {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-        std::uint64_t bound = 0;
+    for (const std::string& path : bounds) {
+        std::uint64_t bound = 0;  // "max" is no number
         if (std::ifstream(path) >> bound) bytes = std::min(bytes, bound);
+    }
+    for (const auto limit : {RLIMIT_AS, RLIMIT_DATA}) {
+        rlimit bound{};  // RLIM_INFINITY is the largest number there is
+        if (getrlimit(limit, &bound) == 0)
+            bytes = std::min(bytes, static_cast<std::uint64_t>(bound.rlim_cur));
     }
     return bytes;
 }

@@ -7,15 +7,13 @@
 #include <filesystem>
 
 #include "cli/session.h"
-#include "model/diagnostic.h"
-#include "model/io/file.h"
-#include "model/io/temporary_file.h"
 
 namespace lancer::cli {
 
-std::string default_output(const std::string& scene) {
-    if (scene == "-") return "stdin.png";
-    return std::filesystem::path(scene).filename().replace_extension(".png").string();
+std::string default_output(const std::string& scene, bool is_preview) {
+    const std::filesystem::path name =
+        scene == "-" ? "stdin" : std::filesystem::path(scene).filename().replace_extension();
+    return name.string() + (is_preview ? "-preview.png" : ".png");
 }
 
 std::string ending_of(const std::string& path) {
@@ -23,31 +21,6 @@ std::string ending_of(const std::string& path) {
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending;
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    if (a.empty() || b.empty() || a == "-" || b == "-" || io::is_stream(a)) return false;
-    std::error_code ignored;
-    return std::filesystem::weakly_canonical(a, ignored) ==
-           std::filesystem::weakly_canonical(b, ignored);
-}
-
-void check_spared(const std::string& output, const std::vector<std::string>& others) {
-    for (const std::string& other : others)
-        if (is_same_file(output, other))
-            throw UsageError(fmt::format("'{}' would be written over '{}'", output, other));
-}
-
-void check_writable(const std::string& path) {
-    std::error_code ignored;
-    if (io::is_stream(path) && std::filesystem::exists(path, ignored)) return;
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    const std::string where = folder.empty() ? "." : folder.string();
-    if (!std::filesystem::is_directory(where, ignored))
-        throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", path, where));
-    const io::TemporaryFile trial(where, ending_of(path), path);
-    if (std::filesystem::is_directory(path, ignored))
-        throw FileError(fmt::format("cannot write '{}': it is a folder", path));
 }
 
 FrameNames::FrameNames(const std::string& pattern) {

@@ -3,26 +3,15 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace lancer::cli {
 
-/// Where the picture of `scene` goes when nobody says: its name with .png, in the current folder.
-std::string default_output(const std::string& scene);
+/// Where the picture of `scene` goes when nobody says: its name with .png, in the current folder; a
+/// preview's with -preview.png, so that it does not replace the picture.
+std::string default_output(const std::string& scene, bool is_preview = false);
 
 /// `.png` of `a/B.PNG`: the ending of a file's name in small letters, with its dot.
 std::string ending_of(const std::string& path);
-
-/// Whether the two names lead to the same file, which need not exist. Devices and pipes are files
-/// of their own.
-bool is_same_file(const std::string& a, const std::string& b);
-
-/// Throws UsageError when writing `output` would destroy one of the others: what is read, or
-/// another output. Names may be empty.
-void check_spared(const std::string& output, const std::vector<std::string>& others);
-
-/// Finds out now, not after an hour of tracing, that a file cannot be written. Throws FileError.
-void check_writable(const std::string& path);
 
 /// The names of an animation's pictures, from a pattern with one %d: `out-%d.png`, or
 /// `out-%04d.png` for at least four digits with zeros before, `out-%4d.png` with blanks; %% stands

@@ -13,6 +13,12 @@ constexpr auto between_drawings = std::chrono::milliseconds(100);
 constexpr int widest_bar = 30;
 constexpr int room_for_text = 40;
 
+/// What standard error does not take is lost.
+void put(const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
 }  // namespace
 
 ProgressBar::ProgressBar(const Terminal& terminal, bool quiet, std::size_t parts)
@@ -52,14 +58,12 @@ void ProgressBar::update(double share) {
     const std::size_t length = text.size();
     text.append(drawn_ > length ? drawn_ - length : 0, ' ');
     drawn_ = length;
-    fmt::print(stderr, "\r{}", text);
-    std::fflush(stderr);
+    put("\r" + text);
 }
 
 void ProgressBar::clear() {
     if (drawn_ == 0) return;
-    fmt::print(stderr, "\r{}\r", std::string(drawn_, ' '));
-    std::fflush(stderr);
+    put(fmt::format("\r{:{}}\r", "", drawn_));
     drawn_ = 0;
 }
 

@@ -60,6 +60,9 @@ void add_view_options(CLI::App& app, RenderJob& job) {
            "Size of the picture in pixels")
         ->type_name("WxH")
         ->group(group);
+    app.add_flag("--preview", job.preview,
+                 "A quick look: a quarter of the width and of the height, one ray per pixel")
+        ->group(group);
     app.add_option_function<std::string>(
            "--crop", [&job](const std::string& text) { job.crop = parse_crop(text); },
            "Only this part of the picture, in pixels from its top left corner")

@@ -16,6 +16,10 @@
 namespace lancer::cli {
 namespace {
 
+/// Names of frames that are looked at before the work begins; those of an endless animation come
+/// one by one.
+constexpr std::uint64_t most_frames_known = 100'000;
+
 /// What can be said of the output's name before any work.
 void check_format(const RenderJob& job, const std::string& output) {
     std::error_code ignored;
@@ -34,6 +38,26 @@ void check_format(const RenderJob& job, const std::string& output) {
         throw UsageError(fmt::format("--bits 16 is for .png, .tif and .ppm, not for '{}'", output));
 }
 
+constexpr int preview_step = 4;  // pixels of the picture for one of the preview, on each side
+
+int in_preview(int pixels) {
+    return (pixels + preview_step - 1) / preview_step;
+}
+
+/// A crop keeps the pixels of the smaller picture that show some of it.
+void make_coarser(View& view) {
+    view.width = in_preview(view.width);
+    view.height = in_preview(view.height);
+    if (!view.crop) return;
+    Crop& crop = *view.crop;
+    const int right = in_preview(crop.x + crop.width);
+    const int bottom = in_preview(crop.y + crop.height);
+    crop.x /= preview_step;
+    crop.y /= preview_step;
+    crop.width = right - crop.x;
+    crop.height = bottom - crop.y;
+}
+
 View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     View view;
     view.camera = pick_camera(scene, job.camera, session);
@@ -49,8 +73,9 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
                                          c.x, c.y, c.width, c.height, view.width, view.height));
         }
     }
-    const int width = job.crop ? job.crop->width : view.width;
-    const int height = job.crop ? job.crop->height : view.height;
+    if (job.preview) make_coarser(view);
+    const int width = view.crop ? view.crop->width : view.width;
+    const int height = view.crop ? view.crop->height : view.height;
     const int channels = job.aov ? 9 : 3;
     const std::uint64_t needed = picture_bytes(width, height, channels);
     if (needed > available_memory()) {
@@ -75,7 +100,7 @@ class Rendering {
     void render(double frame, double time, const std::string& output) {
         progress_.clear();  // the script may print
         Scene scene = loader_.load(frame, time);
-        for (const SceneImage& image : scene.images) check_spared(output, {image.path});
+        if (job_.preview) scene.settings.samples = 1;
         job_.settings.apply_to(scene.settings);
         const View view = view_of(job_, scene, session_);
         if (statistics_.frames == 0) session_.terminal.show(missing_parts(scene), session_.sources);
@@ -108,13 +133,12 @@ class Rendering {
         statistics_.parse = loader_.parse_seconds();
         statistics_.evaluate = loader_.evaluate_seconds();
         statistics_.total = watch_.seconds();
-        if (job_.statistics == "-") {
-            fmt::print("{}", to_text(statistics_));
-        } else if (!job_.statistics.empty()) {
-            io::write_file(job_.statistics, to_json(statistics_));
+        session_.write(job_.statistics,
+                       job_.statistics == "-" ? to_text(statistics_) : to_json(statistics_));
+        if (!job_.quiet && !io::is_stream(job_.output)) {
+            session_.output.say(
+                fmt::format("{} ({}x{}) in {:.2f} s\n", what, width_, height_, statistics_.total));
         }
-        if (!job_.quiet && !io::is_stream(job_.output))  // which may be where this would go
-            fmt::print("{} ({}x{}) in {:.2f} s\n", what, width_, height_, statistics_.total);
     }
 
   private:
@@ -135,14 +159,12 @@ class Rendering {
 }  // namespace
 
 ExitCode run(const RenderJob& job, Session& session) {
-    const std::string output = job.output.empty() ? default_output(job.scene) : job.output;
+    const std::string output =
+        job.output.empty() ? default_output(job.scene, job.preview) : job.output;
     check_format(job, output);
-    check_spared(output, {job.scene});
-    check_spared(job.statistics, {job.scene, output});
-    check_writable(output);
-    if (!job.statistics.empty() && job.statistics != "-") check_writable(job.statistics);
-
     if (!job.frames) {
+        session.will_write(output, "-o");
+        session.will_write(job.statistics, "--stats");
         Rendering rendering(job, session);
         rendering.render(0, 0, output);
         rendering.finish("wrote " + output);
@@ -150,9 +172,18 @@ ExitCode run(const RenderJob& job, Session& session) {
     }
     const FrameNames names(output);
     const FrameRange& frames = *job.frames;
+    const auto will_write = [&](std::int64_t frame) {
+        session.will_write(names.name(frame), fmt::format("frame {}", frame));
+    };
+    const std::int64_t last_known =
+        frames.first + static_cast<std::int64_t>(std::min(frames.count(), most_frames_known)) - 1;
+    for (std::int64_t frame = frames.first; frame <= last_known; ++frame) will_write(frame);
+    session.will_write(job.statistics, "--stats");
     Rendering rendering(job, session);
-    for (std::int64_t frame = frames.first; frame <= frames.last; ++frame)
+    for (std::int64_t frame = frames.first; frame <= frames.last; ++frame) {
+        if (frame > last_known) will_write(frame);
         rendering.render(static_cast<double>(frame), frames.time(frame), names.name(frame));
+    }
     rendering.finish(fmt::format("wrote {} pictures, {} to {}", frames.count(),
                                  names.name(frames.first), names.name(frames.last)));
     return ExitCode::done;

@@ -19,6 +19,7 @@ struct RenderJob {
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
+    bool preview = false;  ///< one ray per pixel, a quarter of the width and of the height
     bool aov = false;
     bool quiet = false;
     std::string

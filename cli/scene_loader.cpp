@@ -26,6 +26,23 @@ std::string without_blanks(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// Reads from disk, and tells `files` what is read.
+Loader noting_loader(RunFiles& files) {
+    const Loader disk = disk_loader();
+    return {[&files, disk](const std::string& path, std::size_t limit) {
+                files.add_input(path);
+                return disk.text(path, limit);
+            },
+            [&files, disk](const std::string& path) {
+                files.add_input(path);
+                return disk.mesh(path);
+            },
+            [&files, disk](const std::string& path, io::ColorSpace space) {
+                files.add_input(path);
+                return disk.image(path, space);
+            }};
+}
+
 void add_limit(CLI::App& app, const std::string& name, std::uint64_t& target, std::int64_t most,
                const std::string& what) {
     app.add_option_function<std::string>(
@@ -81,6 +98,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
 SceneLoader::SceneLoader(const std::string& path, const SceneOptions& options, Session& session)
     : options_(options), session_(session) {
     const Stopwatch watch;
+    session.files.add_input(path);
     std::string text = io::read_file(path, most_bytes_read(options.limits));
     run_on_deep_stack(options_.limits, [&] {
         script_ =
@@ -95,7 +113,8 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     std::vector<Diagnostic> found = syntax_errors_;
     Evaluation evaluation;
     run_on_deep_stack(options_.limits, [&] {
-        evaluation = evaluate(script_, definitions, options_.limits, session_.sources, found);
+        evaluation = evaluate(script_, definitions, options_.limits, session_.sources, found,
+                              noting_loader(session_.files));
     });
     evaluate_seconds_ += watch.seconds();
 

@@ -25,12 +25,14 @@ void add_scene_options(CLI::App& app, SceneOptions& options);
 
 class SceneLoader {
   public:
-    /// Reads the file at `path` (`-`: standard input). Throws FileError. Nothing is shown yet.
+    /// Reads the file at `path` (`-`: standard input). Throws FileError, and UsageError when an
+    /// output of the run would be written over it. Nothing is shown yet.
     SceneLoader(const std::string& path, const SceneOptions& options, Session& session);
 
     /// The scene of one frame, as the script has it. Shows what `print` says, and every diagnostic
     /// that has not been shown before. Throws SceneRejected when there are errors, and UsageError
-    /// when -D names a param that is not there.
+    /// when -D names a param that is not there, or when an output of the run would be written over
+    /// a file that the scene reads.
     Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
     double parse_seconds() const { return parse_seconds_; }

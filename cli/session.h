@@ -1,4 +1,5 @@
-// What all commands share: the texts read, the terminal, and how a command ends early.
+// What all commands share: the texts and files of the run, where words go, and how a command ends
+// early.
 #pragma once
 
 #include <exception>
@@ -6,6 +7,8 @@
 #include <stdexcept>
 
 #include "cli/exit_codes.h"
+#include "cli/run_files.h"
+#include "cli/standard_output.h"
 #include "cli/terminal.h"
 #include "model/source.h"
 
@@ -15,6 +18,13 @@ namespace lancer::cli {
 struct Session {
     SourceMap sources;
     Terminal terminal;
+    StandardOutput output;
+    RunFiles files;
+
+    /// A file that the run will write, as RunFiles::add_output has it; `-` claims standard output.
+    void will_write(const std::string& path, const std::string& option);
+    /// Writes a result: to standard output when `path` is `-`, and not at all when it is empty.
+    void write(const std::string& path, const std::string& bytes);
 };
 
 /// The command line asks for something that is not to be had: exit code 2.

@@ -12,14 +12,12 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/memory_bound.h"
-#include "cli/output_names.h"
 #include "cli/scene_loader.h"
 #include "cli/settings_options.h"
 #include "cli/stability_options.h"
 #include "cli/stopwatch.h"
 #include "judge/stability/stability_text.h"
 #include "model/diagnostic.h"
-#include "model/io/file.h"
 
 namespace lancer::cli {
 namespace {
@@ -117,8 +115,6 @@ void ask_povray(const StabilityJob& job, const Scene& scene, const reference::Ex
 void check_names(const StabilityJob& job) {
     if (!job.plot.empty() && !job.plot.ends_with(".svg"))
         throw UsageError(fmt::format("'{}': the name of a plot ends in .svg", job.plot));
-    for (const std::string& name : {job.json, job.plot})
-        if (!name.empty() && name != "-") check_writable(name);
     for (const ChangeRange& demand : job.demands) {
         if (!demand.high && base_of(demand.change) != 0)
             throw UsageError(fmt::format(
@@ -130,6 +126,8 @@ void check_names(const StabilityJob& job) {
 
 ExitCode stability(const StabilityJob& job, Session& session) {
     check_names(job);
+    session.will_write(job.json, "--json");
+    session.will_write(job.plot, "--plot");
     SceneLoader loader(job.scene, job.scene_options, session);
     Scene scene = loader.load();
     scene.settings.samples = 1;  // the pixel's centre, unless asked otherwise
@@ -155,9 +153,7 @@ ExitCode stability(const StabilityJob& job, Session& session) {
     const Stopwatch watch;
     const auto may_go_on = [&] { return !job.time || watch.seconds() < *job.time; };
     const auto show = [&](const std::string& text) {
-        if (job.quiet || job.json == "-") return;
-        fmt::print("{}", text);
-        std::fflush(stdout);
+        if (!job.quiet) session.output.say(text);
     };
     judge::StabilityTest test(scene, judge::renderer_of(view), report.options, may_go_on);
     show(stability_head(report));
@@ -179,11 +175,8 @@ ExitCode stability(const StabilityJob& job, Session& session) {
         all_held = all_held && held;
     }
     show(stability_foot(report) + "\n" + stability_sentence(report) + "\n");
-    if (job.json == "-")
-        fmt::print("{}", stability_json(report));
-    else if (!job.json.empty())
-        io::write_file(job.json, stability_json(report));
-    if (!job.plot.empty()) io::write_file(job.plot, stability_plot(report));
+    session.write(job.json, stability_json(report));
+    session.write(job.plot, stability_plot(report));
     return all_held ? ExitCode::done : ExitCode::differs;
 }
 

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -14,6 +13,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/parallel.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/progress.h"
@@ -21,7 +21,6 @@
 #include "judge/report/shell_text.h"
 #include "judge/validate/our_renderer.h"
 #include "judge/validate/validation_text.h"
-#include "model/io/file.h"
 
 namespace lancer::cli {
 namespace {
@@ -71,6 +70,7 @@ ValidationJob load(const std::string& path, const ValidateJob& job, Session& ses
     const PictureSize size = size_of(job, *scene);
     result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job.camera, session)), size.width,
                    size.height};
+    if (path != "-") session.files.add_input(judge::expectations_beside(path));
     if (path != "-") result.expect = judge::read_expectations(path);
     result.scene = std::move(scene);
     return result;
@@ -92,12 +92,12 @@ void tell_apart(std::vector<ValidationJob>& jobs) {
 /// as soon as it is known, and collects the report's entries.
 class Validations {
   public:
-    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs,
-                const Terminal& terminal)
+    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs, Session& session)
         : options_(options),
+          session_(session),
           jobs_(std::move(jobs)),
           povray_(reference::find_povray()),
-          bar_(terminal, options.quiet, 1) {
+          bar_(session.terminal, options.quiet, 1) {
         shares_.resize(jobs_.size());
         for (std::size_t i = 0; i < jobs_.size(); ++i)
             jobs_[i].progress = [this, i](double share, const char* what) {
@@ -113,26 +113,28 @@ class Validations {
         results_.resize(jobs_.size());
         done_.resize(jobs_.size());
         report_.entries.resize(jobs_.size());
-        if (shows_table()) fmt::print("{}", judge::table_head(name_width_));
+        if (!options_.quiet) session_.output.say(judge::table_head(name_width_));
         // POV-Ray sleeps while it starts, so that twice as many as there are cores keep them busy.
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-        const auto workers = static_cast<std::size_t>(options_.jobs.value_or(2 * cores));
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 1; i < std::min(workers, jobs_.size()); ++i) {
-            threads.emplace_back([this] { work(); });
-        }
-        work();
+        const auto workers = static_cast<int>(options_.jobs.value_or(2 * cores));
+        for_each_task(static_cast<int>(jobs_.size()), workers, {}, [this](const NextTask& next) {
+            for (int task = 0; next(task);) validate(static_cast<std::size_t>(task));
+        });
     }
 
     ExitCode finish() {
         bar_.clear();
-        write_text(options_.json, [&] { return judge::validations_to_json(results_, povray_); });
-        write_text(options_.junit, [&] {
-            return judge::junit_xml("lancer validate", judge::junit_cases(results_));
-        });
+        session_.write(options_.json, judge::validations_to_json(results_, povray_));
+        session_.write(options_.junit,
+                       judge::junit_xml("lancer validate", judge::junit_cases(results_)));
         if (!options_.report.empty()) {
+            for (const judge::ReportEntry& entry : report_.entries)
+                for (const judge::ReportFile& file : entry.files)
+                    session_.files.add_output_in_new_folder(options_.report + "/" + file.name,
+                                                            "--report");
             judge::write_report(report_, options_.report);
-            if (shows_table()) fmt::print("wrote {}/index.html\n", options_.report);
+            if (!options_.quiet)
+                session_.output.say(fmt::format("wrote {}/index.html\n", options_.report));
         }
         ExitCode worst = ExitCode::done;
         for (const Validation& v : results_) {
@@ -143,19 +145,6 @@ class Validations {
     }
 
   private:
-    /// Standard output is for one thing alone.
-    bool shows_table() const {
-        return !options_.quiet && options_.json != "-" && options_.junit != "-";
-    }
-
-    template <class Text>
-    static void write_text(const std::string& name, const Text& text) {
-        if (name == "-")
-            fmt::print("{}", text());
-        else if (!name.empty())
-            io::write_file(name, text());
-    }
-
     void show_progress(std::size_t job, double share, const char* what) {
         const std::lock_guard lock(mutex_);
         shares_[job] = share;
@@ -171,37 +160,35 @@ class Validations {
         return v.refusals.empty() ? ExitCode::files : ExitCode::differs;
     }
 
-    void work() {
-        for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
-            Validation result =
-                judge::validate_scene(jobs_[i], judge::render_ours, povray_, pov_options_);
-            if (!options_.report.empty()) report_.entries[i] = judge::report_entry(result);
-            result.ours = {};
-            result.theirs = {};
-            result.pov_text = {};
-            result.pov_assets = {};
-            const std::lock_guard lock(mutex_);
-            results_[i] = std::move(result);
-            done_[i] = true;
-            shares_[i] = 1;
-            show_lines();
-        }
+    void validate(std::size_t i) {
+        Validation result =
+            judge::validate_scene(jobs_[i], judge::render_ours, povray_, pov_options_);
+        if (!options_.report.empty()) report_.entries[i] = judge::report_entry(result);
+        result.ours = {};
+        result.theirs = {};
+        result.pov_text = {};
+        result.pov_assets = {};
+        const std::lock_guard lock(mutex_);
+        results_[i] = std::move(result);
+        done_[i] = true;
+        shares_[i] = 1;
+        show_lines();
     }
 
     void show_lines() {
         for (; shown_ < jobs_.size() && done_[shown_]; ++shown_) {
             bar_.clear();
-            if (shows_table()) fmt::print("{}", judge::table_row(results_[shown_], name_width_));
+            if (!options_.quiet)
+                session_.output.say(judge::table_row(results_[shown_], name_width_));
         }
-        std::fflush(stdout);
     }
 
     const ValidateJob& options_;
+    Session& session_;
     std::vector<ValidationJob> jobs_;
     reference::PovRay povray_;
     reference::PovOptions pov_options_;
     std::size_t name_width_ = 5;
-    std::atomic<std::size_t> next_ = 0;
     std::mutex mutex_;
     std::vector<Validation> results_;
     std::vector<bool> done_;
@@ -212,8 +199,10 @@ class Validations {
 };
 
 ExitCode validate(const ValidateJob& job, Session& session) {
-    if (job.json == "-" && job.junit == "-")
-        throw UsageError("--json and --junit cannot both go to standard output");
+    session.will_write(job.json, "--json");
+    session.will_write(job.junit, "--junit");
+    if (!job.report.empty())
+        session.files.add_output_in_new_folder(job.report + "/index.html", "--report");
     // Scenes that cannot be read do not keep the others from their answer.
     ExitCode worst = ExitCode::done;
     std::vector<ValidationJob> jobs;
@@ -229,7 +218,7 @@ ExitCode validate(const ValidateJob& job, Session& session) {
     }
     if (jobs.empty()) return worst;
     tell_apart(jobs);
-    Validations validations(job, std::move(jobs), session.terminal);
+    Validations validations(job, std::move(jobs), session);
     validations.run();
     return std::max(worst, validations.finish());
 }
@@ -247,9 +236,7 @@ void add_validate(CLI::App& app, Action& action) {
         ->type_name("");
     command.add_option("--report", job->report, "Write DIR/index.html, to look at")
         ->type_name("DIR");
-    command
-        .add_option("--json", job->json,
-                    "Write the results as JSON; - to standard output, in place of the table")
+    command.add_option("--json", job->json, "Write the results as JSON; - to standard output")
         ->type_name("FILE");
     command
         .add_option("--junit", job->junit,

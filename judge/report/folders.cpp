@@ -20,22 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of the pictures below `folder`, relative to it.
-std::set<std::string> pictures_in(const std::string& folder) {
-    std::set<std::string> names;
-    std::error_code error;
-    fs::recursive_directory_iterator at(folder, error);
-    if (error) throw FileError(fmt::format("cannot list '{}': {}", folder, error.message()));
-    for (; at != fs::recursive_directory_iterator(); at.increment(error)) {
-        if (error) throw FileError(fmt::format("cannot list '{}': {}", folder, error.message()));
-        const std::string path = at->path().string();
-        if (at->is_regular_file(error) && io::is_writable_image_name(path)) {
-            names.insert(at->path().lexically_relative(folder).string());
-        }
-    }
-    return names;
-}
-
 ReportEntry failed_entry(const std::string& name, const std::string& reason) {
     ReportEntry entry;
     entry.name = name;
@@ -91,6 +75,21 @@ void add_markers(ReportEntry& entry, const Image& a, const Image& b,
 }
 
 }  // namespace
+
+std::set<std::string> pictures_in(const std::string& folder) {
+    std::set<std::string> names;
+    std::error_code error;
+    fs::recursive_directory_iterator at(folder, error);
+    if (error) throw FileError(fmt::format("cannot list '{}': {}", folder, error.message()));
+    for (; at != fs::recursive_directory_iterator(); at.increment(error)) {
+        if (error) throw FileError(fmt::format("cannot list '{}': {}", folder, error.message()));
+        const std::string path = at->path().string();
+        if (at->is_regular_file(error) && io::is_writable_image_name(path)) {
+            names.insert(at->path().lexically_relative(folder).string());
+        }
+    }
+    return names;
+}
 
 ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
                        const reference::Comparison& comparison,

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct FolderComparison {
     bool pass = false;
     std::size_t unreadable = 0;  ///< pictures that could not be read
 };
+
+/// Names of the pictures (png, exr, hdr, tif, tiff, jpg, jpeg, ppm) below `folder`, relative to it.
+/// Throws FileError when the folder cannot be listed.
+std::set<std::string> pictures_in(const std::string& folder);
 
 /// Compares each file of `a` that is named like a picture (png, exr, hdr, tif, tiff, jpg, jpeg,
 /// ppm) with the file of the same name in `b`, sub-folders included. A picture that only one folder

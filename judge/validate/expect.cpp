@@ -123,9 +123,12 @@ Expectations parse_expectations(std::string_view text, const std::string& name) 
     return result;
 }
 
+std::string expectations_beside(const std::string& scene_path) {
+    return std::filesystem::path(scene_path).replace_extension(".expect").string();
+}
+
 Expectations read_expectations(const std::string& scene_path) {
-    const std::string path =
-        std::filesystem::path(scene_path).replace_extension(".expect").string();
+    const std::string path = expectations_beside(scene_path);
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) return {};
     return parse_expectations(io::read_file(path, std::size_t{1} << 20), path);

@@ -31,6 +31,9 @@ struct Expectations {
 /// number for an unknown key, one given twice, a value out of range and a missing reason.
 Expectations parse_expectations(std::string_view text, const std::string& name);
 
+/// The name of the sidecar of a scene file.
+std::string expectations_beside(const std::string& scene_path);
+
 /// The sidecar of a scene file; the defaults when there is none. Throws FileError.
 Expectations read_expectations(const std::string& scene_path);
 

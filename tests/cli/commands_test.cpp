@@ -47,6 +47,12 @@ TEST(Commands, WrongUseIsTwo) {
     }
     EXPECT_THAT(place.run({"render", "a.lancer", "--siz", "8x8"}).err,
                 HasSubstr("'render' has no option '--siz': did you mean '--size'?"));
+    for (const char* habit : {"--width", "--height=480", "--resolution"}) {
+        EXPECT_THAT(place.run({"render", "a.lancer", habit, "640"}).err,
+                    HasSubstr("the size of a picture is --size 640x480"));
+    }
+    EXPECT_THAT(place.run({"render", "a.lancer", "--spp", "4"}).err, HasSubstr("--samples 3"));
+    EXPECT_THAT(place.run({"check", "a.lancer", "--width", "4"}).err, Not(HasSubstr("--size")));
     EXPECT_THAT(place.run({"render", "a.lancer", "b.lancer"}).err,
                 HasSubstr("'b.lancer' is one argument too many"));
 }
@@ -181,6 +187,28 @@ TEST(Commands, CompareTellsEqualFromDifferent) {
     EXPECT_EQ(place.read("a.png"), picture);
     const Finished json = place.run({"compare", "a.png", "b.png", "--json", "-"});
     EXPECT_EQ(nlohmann::json::parse(json.out).at("verdict"), "fail");
+}
+
+TEST(Commands, CompareNamesTwoEncodings) {
+    const Workplace place;
+    place.write("a.lancer", small_scene());
+    for (const char* output : {"a.png", "a.exr", "a.ppm", "a.tif"})
+        ASSERT_EQ(place.run({"render", "a.lancer", "-o", output}).code, 0);
+    ASSERT_EQ(place.run({"render", "a.lancer", "-o", "linear.png", "--linear"}).code, 0);
+    // The picture as a program has it that knows no sRGB chunk: gAMA 0.45455 in its place.
+    std::string png = place.read("a.png");
+    const std::string srgb_chunk = png.substr(png.find("sRGB") - 4, 13);
+    png.replace(png.find(srgb_chunk), 13, std::string("\0\0\0\4gAMA\0\0\xB1\x8F\v\xFC\x61\5", 16));
+    place.write("gamma.png", png);
+    const auto said = [&](const char* a, const char* b) {
+        return place.run({"compare", a, b, "--fail", "1"}).out;
+    };
+    EXPECT_THAT(said("a.png", "gamma.png"), HasSubstr("curves  sRGB against gAMA 0.45455: "));
+    EXPECT_THAT(said("linear.png", "a.png"), HasSubstr("curves  linear against sRGB: "));
+    EXPECT_THAT(said("a.png", "a.exr"), HasSubstr("curves  sRGB against linear: "));
+    EXPECT_THAT(said("a.png", "a.ppm"), Not(HasSubstr("curves")));
+    EXPECT_THAT(said("a.exr", "a.tif"), HasSubstr("curves  linear against sRGB: "));
+    EXPECT_THAT(said("a.exr", "linear.png"), Not(HasSubstr("curves")));
 }
 
 }  // namespace

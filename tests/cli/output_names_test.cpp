@@ -14,6 +14,8 @@ TEST(OutputNames, ThePictureIsCalledLikeTheScene) {
     EXPECT_EQ(default_output("tower"), "tower.png");
     EXPECT_EQ(default_output("../a.b.lancer"), "a.b.png");
     EXPECT_EQ(default_output("-"), "stdin.png");
+    EXPECT_EQ(default_output("../a.b.lancer", true), "a.b-preview.png");
+    EXPECT_EQ(default_output("-", true), "stdin-preview.png");
 }
 
 TEST(OutputNames, APatternIsFilledAsPrintfWould) {

@@ -205,6 +205,23 @@ TEST_F(Render, TheCommandLineWinsOverTheRenderBlock) {
     EXPECT_EQ(rays({"--no-shadows"}).at("shadow"), 0);
 }
 
+TEST_F(Render, APreviewIsAQuarterOfTheSizeWithOneRayPerPixel) {
+    place_.write("a.lancer", small_scene() + "render { samples 3 }\n");
+    const auto rays = [this](std::vector<std::string> options) {
+        options.insert(options.end(), {"--preview", "--stats", "s.json"});
+        const Finished finished = render(options);
+        EXPECT_EQ(finished.code, 0) << finished.err;
+        return nlohmann::json::parse(place_.read("s.json")).at("rays").at("primary").get<int>();
+    };
+    EXPECT_EQ(rays({}), 16 * 12);
+    EXPECT_FALSE(place_.exists("a.png")) << "the picture itself is not replaced";
+    EXPECT_EQ(place_.image("a-preview.png").width, 16);
+    EXPECT_EQ(rays({"--samples", "2"}), 4 * 16 * 12) << "what is asked for wins";
+    EXPECT_EQ(rays({"--size", "81x1"}), 21);
+    EXPECT_EQ(rays({"--crop", "3,4,6,4"}), 3) << "the pixels 0 to 2 of one row";
+    EXPECT_EQ(render({"--preview", "--crop", "64,0,1,1"}).code, 2);
+}
+
 TEST_F(Render, APictureThatDoesNotFitIsRefused) {
     EXPECT_EQ(render({"--size", "1000000x1000000"}).code, 2);
     const Finished finished = render({"--size", "65535x65535"});

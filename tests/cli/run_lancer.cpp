@@ -1,11 +1,13 @@
 #include "tests/cli/run_lancer.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -31,7 +33,51 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     return pointers;
 }
 
+/// Adds where standard output leads. The result is a pipe's end to be closed here after the start,
+/// or -1.
+int direct_output(posix_spawn_file_actions_t& actions, std::optional<BrokenOutput> broken,
+                  const std::string& file) {
+    if (!broken || *broken == BrokenOutput::full) {
+        const int how = broken ? O_WRONLY : O_WRONLY | O_CREAT | O_TRUNC;
+        posix_spawn_file_actions_addopen(&actions, 1, broken ? "/dev/full" : file.c_str(), how,
+                                         0600);
+        return -1;
+    }
+    if (*broken == BrokenOutput::closed) {
+        posix_spawn_file_actions_addclose(&actions, 1);
+        return -1;
+    }
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    close(ends[0]);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
+    return ends[1];
+}
+
+/// While it lives this process ignores SIGINT and SIGTERM, and what it starts inherits that.
+class IgnoredSignals {
+  public:
+    explicit IgnoredSignals(bool wanted) : wanted_(wanted) {
+        for (std::size_t i = 0; wanted_ && i < numbers.size(); ++i)
+            before_[i] = signal(numbers[i], SIG_IGN);
+    }
+    ~IgnoredSignals() {
+        for (std::size_t i = 0; wanted_ && i < numbers.size(); ++i) signal(numbers[i], before_[i]);
+    }
+    IgnoredSignals(const IgnoredSignals&) = delete;
+    IgnoredSignals& operator=(const IgnoredSignals&) = delete;
+
+  private:
+    static constexpr std::array<int, 2> numbers{SIGINT, SIGTERM};
+    bool wanted_;
+    std::array<sighandler_t, 2> before_{};
+};
+
 }  // namespace
+
+const char* lancer_program() {
+    return LANCER_PROGRAM;
+}
 
 Workplace::Workplace() {
     std::string name = (fs::temp_directory_path() / "lancer-test-XXXXXX").string();
@@ -50,27 +96,61 @@ Workplace::~Workplace() {
 
 Finished Workplace::run(std::vector<std::string> arguments, const std::string& input,
                         const std::vector<std::string>& variables) const {
+    return run_in({.input = input, .variables = variables}, std::move(arguments));
+}
+
+Finished Workplace::run_in(const Surroundings& surroundings,
+                           std::vector<std::string> arguments) const {
+    return finish(start(surroundings, std::move(arguments)));
+}
+
+pid_t Workplace::start(const Surroundings& surroundings, std::vector<std::string> arguments) const {
     const fs::path said = fs::path(folder_).parent_path() / "said";
-    std::ofstream(said / "in", std::ios::binary) << input;
+    std::ofstream(said / "in", std::ios::binary) << surroundings.input;
+    std::ofstream(said / "out", std::ios::trunc).close();
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addchdir_np(&actions, folder_.c_str());
     posix_spawn_file_actions_addopen(&actions, 0, (said / "in").c_str(), O_RDONLY, 0);
     constexpr int fresh = O_WRONLY | O_CREAT | O_TRUNC;
-    posix_spawn_file_actions_addopen(&actions, 1, (said / "out").c_str(), fresh, 0600);
+    const int pipe_end = direct_output(actions, surroundings.output, (said / "out").string());
     posix_spawn_file_actions_addopen(&actions, 2, (said / "err").c_str(), fresh, 0600);
 
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    // This process may ignore SIGPIPE; the program starts as from a shell.
+    sigset_t usual;
+    sigemptyset(&usual);
+    for (const int number : {SIGPIPE, SIGXFSZ}) sigaddset(&usual, number);
+    if (!surroundings.ignores_signals)
+        for (const int number : {SIGINT, SIGTERM}) sigaddset(&usual, number);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    const IgnoredSignals ignored(surroundings.ignores_signals);
+
     arguments.insert(arguments.begin(), LANCER_PROGRAM);
-    std::vector<std::string> environment = variables;
+    std::string program = LANCER_PROGRAM;
+    if (!surroundings.limits.empty()) {
+        program = "/bin/bash";
+        const std::string script = "ulimit " + surroundings.limits + " && exec \"$0\" \"$@\"";
+        arguments.insert(arguments.begin(), {program, "-c", script});
+    }
+    std::vector<std::string> environment = surroundings.variables;
     for (char** variable = environ; *variable != nullptr; ++variable)
         environment.emplace_back(*variable);
     pid_t child = 0;
-    const int failed = posix_spawn(&child, LANCER_PROGRAM, &actions, nullptr,
+    const int failed = posix_spawn(&child, program.c_str(), &actions, &attributes,
                                    pointers_to(arguments).data(), pointers_to(environment).data());
     posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) throw std::runtime_error("cannot start " LANCER_PROGRAM);
+    posix_spawnattr_destroy(&attributes);
+    if (pipe_end >= 0) close(pipe_end);
+    if (failed != 0) throw std::runtime_error("cannot start " + program);
+    return child;
+}
 
+Finished Workplace::finish(pid_t child) const {
+    const fs::path said = fs::path(folder_).parent_path() / "said";
     int status = 0;
     waitpid(child, &status, 0);
     Finished finished;

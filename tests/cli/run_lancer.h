@@ -1,6 +1,9 @@
 // Runs the program as a user does, without a shell, and brings back all it said.
 #pragma once
 
+#include <sys/types.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,25 @@ struct Finished {
     std::string err;
 };
 
+/// Where standard output leads, when it cannot be read back.
+enum class BrokenOutput {
+    full,         ///< a device without room
+    closed_pipe,  ///< a pipe that nobody reads
+    closed,       ///< nothing is open
+};
+
+/// What a run is given beside its arguments.
+struct Surroundings {
+    std::string input{};                   ///< on standard input
+    std::vector<std::string> variables{};  ///< NAME=value, on top of this process's environment
+    std::optional<BrokenOutput> output{};
+    std::string limits{};          ///< for the shell's `ulimit`, as in "-v 100000 -s 1000"
+    bool ignores_signals = false;  ///< SIGINT and SIGTERM, as below nohup
+};
+
+/// The program under test.
+const char* lancer_program();
+
 /// A folder of its own below the temporary one, gone when the object is. The program runs in it.
 class Workplace {
   public:
@@ -26,6 +48,11 @@ class Workplace {
     /// on top of this process's environment.
     Finished run(std::vector<std::string> arguments, const std::string& input = "",
                  const std::vector<std::string>& variables = {}) const;
+    Finished run_in(const Surroundings& surroundings, std::vector<std::string> arguments) const;
+
+    /// The same in two steps, for what happens between them.
+    pid_t start(const Surroundings& surroundings, std::vector<std::string> arguments) const;
+    Finished finish(pid_t child) const;
 
     std::string path(const std::string& name) const { return folder_ + "/" + name; }
     void write(const std::string& name, const std::string& text) const;
