@@ -55,16 +55,65 @@ TEST(Docs, LinksLeadSomewhere) {
     EXPECT_THAT(broken, testing::IsEmpty());
 }
 
-TEST(Docs, FilesThatPagesNameExist) {
-    const std::string source =
-        R"re(`((?:model|parser|tracer|reference|cli|tests|cmake)/[\w/]+\.(?:h|cpp|sh|cmake))`)re";
+const std::string folders =
+    "(?:base|model|parser|tracer|reference|judge|cli|tests|cmake|scenes|docs)";
+const std::string source_file = folders + R"re(/[\w/]+\.(?:h|cpp|sh|cmake))re";
+
+TEST(Docs, FilesAndFoldersThatPagesNameExist) {
+    const std::string named = "`(" + folders + R"re(/[\w/.-]*)`)re";
     std::vector<std::string> missing;
+    std::size_t seen = 0;
     for (const fs::path& page : pages()) {
-        for (const std::string& name : all_matches(read_text(page), source)) {
+        for (const std::string& name : all_matches(read_text(page), named)) {
+            ++seen;
             if (!fs::exists(root / name))
                 missing.push_back(fs::relative(page, root).string() + ": " + name);
         }
     }
+    EXPECT_GT(seen, 100u);
+    EXPECT_THAT(missing, testing::IsEmpty());
+}
+
+/// `name` in `file`, `name` (`file`) and `file`: `name`.
+TEST(Docs, NamesBesideAFileStandInIt) {
+    const std::vector<std::pair<std::regex, bool>> forms{
+        {std::regex("`(" + source_file + R"re()`[*]{0,2}:\s`(\w+)`)re"), true},
+        {std::regex(R"re(`(\w+)`\s(?:\(|in\s)`()re" + source_file + ")`"), false}};
+    std::vector<std::string> missing;
+    std::size_t seen = 0;
+    for (const fs::path& page : pages()) {
+        const std::string text = read_text(page);
+        for (const auto& [form, file_first] : forms) {
+            for (auto match = std::sregex_iterator(text.begin(), text.end(), form);
+                 match != std::sregex_iterator(); ++match) {
+                const std::string file = (*match)[file_first ? 1 : 2].str();
+                const std::string name = (*match)[file_first ? 2 : 1].str();
+                ++seen;
+                if (!std::regex_search(read_text(root / file), std::regex("\\b" + name + "\\b")))
+                    missing.push_back(fs::relative(page, root).string() + ": " + name + " in " +
+                                      file);
+            }
+        }
+    }
+    EXPECT_GT(seen, 30u);
+    EXPECT_THAT(missing, testing::IsEmpty());
+}
+
+TEST(Docs, ProgramsOfTestsThatPagesNameExist) {
+    std::vector<std::string> programs;
+    for (const auto& entry : fs::recursive_directory_iterator(root / "tests"))
+        if (entry.path().extension() == ".cpp") programs.push_back(entry.path().stem().string());
+    std::vector<std::string> missing;
+    std::size_t seen = 0;
+    for (const fs::path& page : pages()) {
+        for (const std::string& name :
+             all_matches(read_text(page), R"re(`(bench_\w+|\w+_test|\w+_fuzz)[ `])re")) {
+            ++seen;
+            if (std::find(programs.begin(), programs.end(), name) == programs.end())
+                missing.push_back(fs::relative(page, root).string() + ": " + name);
+        }
+    }
+    EXPECT_GT(seen, 1u);
     EXPECT_THAT(missing, testing::IsEmpty());
 }
 

@@ -3,6 +3,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "parser/value.h"
 #include "tests/parser/script.h"
@@ -105,8 +108,24 @@ TEST(Expressions, RandIsAFunctionOfItsArgumentsAlone) {
     EXPECT_EQ(value_of("rand(1, 2) == rand(1, 2)"), "true");
     EXPECT_EQ(value_of("rand(1, 2) == rand(2, 1)"), "false");
     EXPECT_EQ(value_of("rand(0) == rand(-0)"), "true");
-    // The manual's example, computed by hand from its description of the hash.
     EXPECT_EQ(value_of("rand(1)"), value_of("rand([1, 1].x)"));
+}
+
+TEST(Expressions, RandIsTheHashThatTheManualDescribes) {
+    // Computed in Python from the description in docs/language.md, not by this program.
+    const std::vector<std::pair<std::string, std::string>> known{
+        {"rand(0)", "0.8833108082136426"},
+        {"rand(-0)", "0.8833108082136426"},
+        {"rand(1)", "0.5345422839126993"},
+        {"rand(2)", "0.002598817123781516"},
+        {"rand(-1)", "0.6634604186012825"},
+        {"rand(0.1)", "0.9692977027004345"},
+        {"rand(1, 2)", "0.23436461775888184"},
+        {"rand(2, 1)", "0.08522354133821164"},
+        {"rand([1, 2, 3])", "0.5115926941369916"},
+        {"rand(7, [0.5, -0.5], 1e300)", "0.666670180061929"},
+    };
+    for (const auto& [call, value] : known) EXPECT_EQ(value_of(call), value) << call;
 }
 
 TEST(Expressions, RandIsSpreadEvenly) {

@@ -1,0 +1,20 @@
+// Prints a digest of what the C library's functions give, bit by bit: it depends on which of its
+// versions for this processor the library has chosen.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+int main() {
+    std::uint64_t digest = 0;
+    const auto add = [&digest](double value) {
+        digest = (digest ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
+    };
+    for (int i = 1; i <= 100'000; ++i) {
+        const double x = i * 0.00123;
+        add(std::sin(x));
+        add(std::exp(x / 10));
+        add(std::pow(x, 1.7));
+    }
+    std::printf("%016llx\n", static_cast<unsigned long long>(digest));
+}
