@@ -22,6 +22,12 @@ Precision parse_precision(const std::string& text) {
     throw UsageError("'" + text + "' is no precision: expected single, double or extended");
 }
 
+Sampling parse_sampling(const std::string& text) {
+    if (text == "grid") return Sampling::grid;
+    if (text == "sobol") return Sampling::sobol;
+    throw UsageError("'" + text + "' is no way of sampling: expected grid or sobol");
+}
+
 }  // namespace
 
 void SettingsOptions::apply_to(Settings& settings) const {
@@ -31,6 +37,8 @@ void SettingsOptions::apply_to(Settings& settings) const {
     if (max_depth) settings.max_depth = static_cast<int>(*max_depth);
     if (min_contribution) settings.min_contribution = *min_contribution;
     if (samples) settings.samples = static_cast<int>(*samples);
+    if (sampling) settings.sampling = *sampling;
+    if (seed) settings.seed = static_cast<std::uint64_t>(*seed);
     if (tolerance) settings.tolerance = *tolerance;
     if (precision) settings.precision = *precision;
     if (no_shadows) settings.shadows = false;
@@ -53,7 +61,17 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
         ->type_name("X")
         ->group(group);
     add_whole_number(app, "--samples", options.samples, 1, most_samples,
-                     "N x N rays per pixel on a regular grid")
+                     "N x N rays per pixel; 1: through its centre")
+        ->type_name("N")
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--sampling",
+           [&options](const std::string& text) { options.sampling = parse_sampling(text); },
+           "Where those rays go: a regular grid (default), or sobol points, of which fewer do")
+        ->type_name("WAY")
+        ->group(group);
+    add_whole_number(app, "--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max(),
+                     "Other sobol points; 0 by default")
         ->type_name("N")
         ->group(group);
     add_number(app, "--tolerance", options.tolerance, std::numeric_limits<double>::denorm_min(),

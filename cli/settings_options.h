@@ -17,6 +17,8 @@ struct SettingsOptions {
     std::optional<std::int64_t> max_depth;
     std::optional<double> min_contribution;
     std::optional<std::int64_t> samples;
+    std::optional<Sampling> sampling;
+    std::optional<std::int64_t> seed;
     std::optional<double> tolerance;
     std::optional<Precision> precision;
     bool no_shadows = false;

@@ -1,17 +1,24 @@
 // How to render: every knob that trades speed for accuracy, in one plain struct.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 namespace lancer {
 
 enum class Precision { single, double_, extended };
 
+/// Where in a pixel the rays go: on a regular grid, or at Owen-scrambled Sobol points, which take
+/// fewer rays for the same error.
+enum class Sampling { grid, sobol };
+
 /// The script's `render { … }` block; the command line overrides single members.
 struct Settings {
     int max_depth = 8;                ///< recursion: 1 = primary rays only
     double min_contribution = 0.002;  ///< a branch whose weight falls below it is not followed
-    int samples = 1;                  ///< n = n x n rays per pixel on a regular grid
+    int samples = 1;                  ///< n = n x n rays per pixel; 1 = through its centre
+    Sampling sampling = Sampling::grid;
+    std::uint64_t seed = 0;  ///< another draws other Sobol points
     bool shadows = true;
     bool smooth = true;    ///< interpolated normals
     bool textures = true;  ///< false: plain colours

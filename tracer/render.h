@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "base/progress.h"
@@ -13,6 +14,7 @@
 #include "model/settings.h"
 #include "model/shapes.h"
 #include "tracer/rays/ray_counts.h"
+#include "tracer/rays/trace_limits.h"
 
 namespace lancer {
 
@@ -31,6 +33,13 @@ struct View {
     int height = 480;
     std::optional<Crop> crop;  ///< only these pixels; the result has the crop's size
     bool aov = false;          ///< also object id, depth, normal and shadow, see render()
+};
+
+/// A place of the image plane in pixels of the whole picture: (0.5, 0.5) is the centre of the
+/// first.
+struct PicturePoint {
+    double x = 0;
+    double y = 0;
 };
 
 /// What there is to count in a compiled scene.
@@ -66,6 +75,15 @@ class Renderer {
     /// the lights that do not reach the point), taken by the ray through the pixel's centre. Throws
     /// SceneError when light leaves the number type's range.
     virtual Image render(const View& view, const Progress& progress, RayCounts& counts) const = 0;
+
+    /// One ray through each of the points: colors[i] is the light, linear, that points[i] brings,
+    /// the same bits for any number of threads and whatever points stand beside it. Large batches
+    /// with neighbours together are fast. Points may lie anywhere; the view's crop is not looked
+    /// at; recursion may be limited below the settings, not above. Adds to `counts`. Throws
+    /// SceneError as render() does.
+    virtual void trace(const View& view, std::span<const PicturePoint> points,
+                       const TraceLimits& limits, std::span<Color> colors, const Progress& progress,
+                       RayCounts& counts) const = 0;
 
     /// One ray through the point (x, y) of the image plane, in pixels: (0.5, 0.5) is the centre of
     /// the first pixel.

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <atomic>
+#include <cassert>
 #include <mutex>
 #include <string>
 
 #include "base/parallel.h"
 #include "model/diagnostic.h"
+#include "model/sobol.h"
 #include "tracer/compile/compile.h"
 #include "tracer/povray/recursion.h"
 #include "tracer/rays/camera.h"
@@ -41,7 +43,7 @@ class RendererOf final : public Renderer {
         std::int64_t overflow = nowhere;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
-            with_tracer([&](auto& tracer) {
+            with_tracer(limits(), [&](auto& tracer) {
                 std::int64_t own_overflow = nowhere;
                 for (int index = 0; next_task(index);) {
                     const int left = index % across * tile;
@@ -61,15 +63,44 @@ class RendererOf final : public Renderer {
                 overflow = std::min(overflow, own_overflow);
             });
         });
-        if (overflow != nowhere) refuse_overflow(overflow, crop.width);
+        if (overflow != nowhere) refuse_overflow(overflow % crop.width, overflow / crop.width);
         return image;
+    }
+
+    void trace(const View& view, std::span<const PicturePoint> points, const TraceLimits& limits,
+               std::span<Color> colors, const Progress& progress,
+               RayCounts& counts) const override {
+        assert(colors.size() == points.size());
+        assert(limits.max_depth <= world_->settings.max_depth);
+        constexpr std::size_t stretch = 256;
+        const CameraFrame<Real> camera_frame = camera_frame_of(view);
+        const int stretches = static_cast<int>((points.size() + stretch - 1) / stretch);
+        std::mutex merging;
+        for_each_task(stretches, world_->settings.threads, progress, [&](auto next_task) {
+            with_tracer(limits, [&](auto& tracer) {
+                for (int index = 0; next_task(index);) {
+                    const std::size_t begin = static_cast<std::size_t>(index) * stretch;
+                    const std::size_t end = std::min(begin + stretch, points.size());
+                    for (std::size_t i = begin; i < end; ++i)
+                        colors[i] = convert<double>(
+                            sample(tracer, camera_frame, view, static_cast<Real>(points[i].x),
+                                   static_cast<Real>(points[i].y), nullptr));
+                }
+                const std::lock_guard lock(merging);
+                counts += tracer.counts();
+            });
+        });
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (overflows(&colors[i].x))
+                refuse_overflow(static_cast<std::int64_t>(points[i].x),
+                                static_cast<std::int64_t>(points[i].y));
     }
 
     Probe probe(const View& view, double x, double y) const override {
         ProbeRecord<Real> record;
         const CameraFrame<Real> camera_frame = camera_frame_of(view);
         Probe probe;
-        with_tracer([&](auto& tracer) {
+        with_tracer(limits(), [&](auto& tracer) {
             probe.color = convert<double>(sample(tracer, camera_frame, view, static_cast<Real>(x),
                                                  static_cast<Real>(y), &record));
             probe.rays = tracer.counts().rays();
@@ -108,9 +139,14 @@ class RendererOf final : public Renderer {
   private:
     static constexpr int aov_channels = 6;
 
-    /// Calls work(tracer) with a tracer that does what this world requires, and no more.
+    TraceLimits limits() const {
+        return {world_->settings.max_depth, world_->settings.min_contribution};
+    }
+
+    /// Calls work(tracer) with a tracer that does what this world requires, and no more. The
+    /// judge's recursion keeps to the limits that it was compiled with.
     template <class Work>
-    void with_tracer(Work&& work) const {
+    void with_tracer(const TraceLimits& limits, Work&& work) const {
         if constexpr (std::is_same_v<Real, double>) {
             if (povray_unit_) {
                 PovRayTracer<Real> tracer(*world_, *povray_unit_, by_povray_);
@@ -119,10 +155,10 @@ class RendererOf final : public Renderer {
             }
         }
         if (world_->has_media || world_->has_transmission) {
-            Whitted<Real> tracer(*world_);
+            Whitted<Real> tracer(*world_, limits);
             work(tracer);
         } else {
-            OpaqueTracer<Real> tracer(*world_);
+            OpaqueTracer<Real> tracer(*world_, limits);
             work(tracer);
         }
     }
@@ -131,12 +167,11 @@ class RendererOf final : public Renderer {
     static bool overflows(const double* pixel) {
         return !(std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]));
     }
-    /// \param first  the first such pixel, row by row
-    static void refuse_overflow(std::int64_t first, int width) {
+    [[noreturn]] static void refuse_overflow(std::int64_t x, std::int64_t y) {
         throw SceneError({},
                          "lights and colours are so bright that their product leaves the range of "
                          "the chosen precision, first at pixel " +
-                             std::to_string(first % width) + ", " + std::to_string(first / width));
+                             std::to_string(x) + ", " + std::to_string(y));
     }
 
     CameraFrame<Real> camera_frame_of(const View& view) const {
@@ -169,6 +204,32 @@ class RendererOf final : public Renderer {
     void fill(double* pixel, Tracer& tracer, const CameraFrame<Real>& camera_frame,
               const View& view, int x, int y) const {
         const int n = world_->settings.samples;
+        const Vec3<Real> sum = n > 1 && world_->settings.sampling == Sampling::sobol
+                                   ? sobol_sum(tracer, camera_frame, view, x, y)
+                                   : grid_sum(tracer, camera_frame, view, x, y);
+        const Vec3d color = convert<double>(n == 1 ? sum : sum / static_cast<Real>(n * n));
+        for (int c = 0; c < 3; ++c) pixel[c] = color[c];
+        if (view.aov) fill_aov(pixel + 3, camera_frame, view, x, y);
+    }
+
+    template <class Tracer>
+    Vec3<Real> sobol_sum(Tracer& tracer, const CameraFrame<Real>& camera_frame, const View& view,
+                         int x, int y) const {
+        const int n = world_->settings.samples;
+        const SobolPoints points(pixel_key(world_->settings.seed, x, y));
+        Vec3<Real> sum(0);
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n * n); ++i) {
+            const SquarePoint at = points[i];
+            sum += sample(tracer, camera_frame, view, static_cast<Real>(x + at.x),
+                          static_cast<Real>(y + at.y), nullptr);
+        }
+        return sum;
+    }
+
+    template <class Tracer>
+    Vec3<Real> grid_sum(Tracer& tracer, const CameraFrame<Real>& camera_frame, const View& view,
+                        int x, int y) const {
+        const int n = world_->settings.samples;
         Vec3<Real> sum(0);
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
@@ -179,16 +240,14 @@ class RendererOf final : public Renderer {
                 sum += sample(tracer, camera_frame, view, at_x, at_y, nullptr);
             }
         }
-        const Vec3d color = convert<double>(n == 1 ? sum : sum / static_cast<Real>(n * n));
-        for (int c = 0; c < 3; ++c) pixel[c] = color[c];
-        if (view.aov) fill_aov(pixel + 3, camera_frame, view, x, y);
+        return sum;
     }
 
     /// By a ray of its own through the centre, which no count shows.
     void fill_aov(double* out, const CameraFrame<Real>& camera_frame, const View& view, int x,
                   int y) const {
         ProbeRecord<Real> record;
-        with_tracer([&](auto& tracer) {
+        with_tracer(limits(), [&](auto& tracer) {
             sample(tracer, camera_frame, view, static_cast<Real>(x) + Real(0.5),
                    static_cast<Real>(y) + Real(0.5), &record);
         });

@@ -17,6 +17,13 @@ struct Words<ProjectionKind> {
     static constexpr std::array values{ProjectionKind::perspective, ProjectionKind::orthographic};
 };
 
+template <>
+struct Words<Sampling> {
+    static constexpr std::string_view takes = "grid or sobol";
+    static constexpr std::array<std::string_view, 2> words{"grid", "sobol"};
+    static constexpr std::array values{Sampling::grid, Sampling::sobol};
+};
+
 }  // namespace rules
 
 namespace blocks {
@@ -52,7 +59,9 @@ constexpr Field render_fields[] = {
     field<&Settings::min_contribution, rules::NotNegative>(
         "min_contribution", "0.002", "a branch of less weight is not followed; 0: all are"),
     field<&Settings::samples, rules::Depth>("samples", "1",
-                                            "n: a regular grid of n x n rays per pixel"),
+                                            "n: n x n rays per pixel; 1: through its centre"),
+    field<&Settings::sampling, rules::WordRule<Sampling>>(
+        "sampling", "grid", "where those rays go: a regular grid, or sobol points"),
     field<&Settings::shadows, rules::Flag>("shadows", "true", "false: lights pass through all"),
     field<&Settings::smooth, rules::Flag>("smooth", "true",
                                           "false: no interpolated normals, faster"),

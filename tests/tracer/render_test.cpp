@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/sobol.h"
 #include "tests/reference/pov/pair_scenes.h"
 
 namespace lancer {
@@ -56,6 +57,85 @@ TEST(Render, AProbeAtAPixelsCentreIsThePixel) {
         EXPECT_EQ(probe.color.y, whole.pixel(x, y)[1]);
     }
     EXPECT_EQ(renderer->probe(view, 1.5, 1.5).object, 0u) << "the ground is declared first";
+}
+
+TEST(Render, TracedPointsAreThoseOfThePictureForAnyNumberOfThreads) {
+    const Scene scene = reference::glass_nested_scene();
+    const View view{0, 61, 47, {}, false};
+    RayCounts counts;
+    Settings settings = scene.settings;
+    const Image whole = compile(scene, settings)->render(view, {}, counts);
+    std::vector<PicturePoint> points;
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) points.push_back({x + 0.5, y + 0.5});
+    for (const int threads : {1, 7}) {
+        settings.threads = threads;
+        std::vector<Color> colors(points.size());
+        RayCounts traced;
+        compile(scene, settings)
+            ->trace(view, points, {settings.max_depth, settings.min_contribution}, colors, {},
+                    traced);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(colors[i][c], whole.data[3 * i + static_cast<std::size_t>(c)]);
+        EXPECT_EQ(traced.rays(), counts.rays());
+    }
+}
+
+TEST(Render, TracedPointsKeepToTheirLimits) {
+    const Scene scene = reference::glass_nested_scene();
+    const View view{0, 61, 47, {}, false};
+    Settings shallow = scene.settings;
+    shallow.max_depth = 2;
+    const auto renderer = compile(scene, scene.settings);
+    const auto of_two_levels = compile(scene, shallow);
+    int changed = 0;
+    for (double y = 0.5; y < view.height; ++y) {
+        for (double x = 0.5; x < view.width; ++x) {
+            const PicturePoint point{x, y};
+            Color color;
+            RayCounts counts;
+            renderer->trace(view, {&point, 1}, {2, shallow.min_contribution}, {&color, 1}, {},
+                            counts);
+            ASSERT_EQ(color, of_two_levels->probe(view, x, y).color);
+            changed += color != renderer->probe(view, x, y).color;
+        }
+    }
+    EXPECT_GT(changed, 50);
+}
+
+TEST(Render, SobolPointsAreThoseOfTheirPixelInAnyPart) {
+    const Scene scene = reference::solids_scene();
+    Settings settings = scene.settings;
+    settings.samples = 3;
+    settings.sampling = Sampling::sobol;
+    const auto picture = [&](const std::optional<Crop>& crop) {
+        RayCounts counts;
+        return compile(scene, settings)->render({0, 61, 47, crop, false}, {}, counts);
+    };
+    const Image whole = picture({});
+    const Image part = picture(Crop{13, 9, 30, 21});
+    EXPECT_EQ(part.pixel(4, 5)[0], whole.pixel(17, 14)[0]);
+
+    RayCounts counts;
+    std::vector<PicturePoint> points;
+    const SobolPoints sequence(pixel_key(0, 17, 14));
+    for (std::uint32_t i = 0; i < 9; ++i)
+        points.push_back({17 + sequence[i].x, 14 + sequence[i].y});
+    std::vector<Color> colors(9);
+    compile(scene, settings)
+        ->trace({0, 61, 47, {}, false}, points, {settings.max_depth, settings.min_contribution},
+                colors, {}, counts);
+    Color sum{0, 0, 0};
+    for (const Color& color : colors) sum += color;
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(whole.pixel(17, 14)[c], sum[c] / 9);
+
+    settings.seed = 1;
+    EXPECT_NE(picture({}).data, whole.data);
+    settings.samples = 1;  // through the centre, whatever the seed
+    const Image center = picture({});
+    settings.sampling = Sampling::grid;
+    EXPECT_EQ(picture({}).data, center.data);
 }
 
 TEST(Render, ThePrecisionsAgreeOffTheEdges) {

@@ -2,6 +2,7 @@
 // whitted.h has the whole, and is what this is the short form of.
 #pragma once
 
+#include "tracer/rays/trace_limits.h"
 #include "tracer/shading/lighting.h"
 
 namespace lancer {
@@ -11,9 +12,8 @@ namespace lancer {
 /// \param weight  product along the way of the largest channel of each factor
 /// \param level   reflections and bends so far
 template <class Real>
-bool is_followed(const World<Real>& world, Real weight, int level) {
-    return level < world.settings.max_depth &&
-           weight >= static_cast<Real>(world.settings.min_contribution);
+bool is_followed(const TraceLimits& limits, Real weight, int level) {
+    return level < limits.max_depth && weight >= static_cast<Real>(limits.min_contribution);
 }
 
 /// Fresnel's reflectance of an opaque surface, which no list of bodies tracks: it has its own index
@@ -30,7 +30,8 @@ Real opaque_reflectance(const Surface<Real>& s, const Vec3<Real>& ray_dir, Real 
 template <class Real>
 class OpaqueTracer {
   public:
-    explicit OpaqueTracer(const World<Real>& world) : world_(world), lighting_(world) {}
+    OpaqueTracer(const World<Real>& world, const TraceLimits& limits)
+        : world_(world), limits_(limits), lighting_(world) {}
 
     const RayCounts& counts() const { return lighting_.counts; }
 
@@ -46,7 +47,7 @@ class OpaqueTracer {
 
   private:
     Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, Real weight, int level) {
-        if (!is_followed(world_, weight, level)) return Vec3<Real>{};
+        if (!is_followed(limits_, weight, level)) return Vec3<Real>{};
         const NoMedia nowhere;
         Contact<Real> contact = nearest_contact(world_, ray, start, nowhere);
         if (contact.empty()) {
@@ -67,7 +68,7 @@ class OpaqueTracer {
 
         const Vec3<Real> mirror = mirror_of(s, ray);
         const Real mirror_weight = max_component(mirror);
-        if (mirror_weight > 0 && is_followed(world_, weight * mirror_weight, level + 1)) {
+        if (mirror_weight > 0 && is_followed(limits_, weight * mirror_weight, level + 1)) {
             ++lighting_.counts.reflected;
             const Ray<Real> reflected =
                 make_ray(s.position, s.position_lo, mirrored(ray.dir, s.normal), s.error);
@@ -95,6 +96,7 @@ class OpaqueTracer {
     }
 
     const World<Real>& world_;
+    const TraceLimits limits_;
     Lighting<Real, NoMedia> lighting_;
 };
 

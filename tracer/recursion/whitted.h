@@ -19,7 +19,8 @@ inline constexpr int max_straight_passes = 1000;
 template <class Real>
 class Whitted {
   public:
-    explicit Whitted(const World<Real>& world) : world_(world), lighting_(world) {}
+    Whitted(const World<Real>& world, const TraceLimits& limits)
+        : world_(world), limits_(limits), lighting_(world) {}
 
     const RayCounts& counts() const { return lighting_.counts; }
 
@@ -44,7 +45,7 @@ class Whitted {
         Vec3<Real> result(0);
         Vec3<Real> through(1);  // what the surfaces and media on the way let pass
         int straight_passes{};
-        while (is_followed(world_, weight, level)) {
+        while (is_followed(limits_, weight, level)) {
             Contact<Real> contact = adjacent_face_hit(world_, ray, turn, media.bodies);
             const bool at_once = !contact.empty();
             if (!at_once) contact = nearest_contact(world_, ray, start, media.bodies);
@@ -83,7 +84,7 @@ class Whitted {
                 start = {t, std::move(touched), start.left, false};
                 continue;
             }
-            if (!is_followed(world_, weight, level + 1)) return result;
+            if (!is_followed(limits_, weight, level + 1)) return result;
             ++(c.total ? counts.reflected : counts.transmitted);
             const Surface<Real>& front = surfaces.front();
             Media next = leaving(front, c, c.bent, !c.total);
@@ -143,7 +144,7 @@ class Whitted {
             if (s.finish->fresnel)
                 mirror = &s == &*weighted ? mirror * fresnel(s, c) : Vec3<Real>{};
             const Real mirror_weight = weight * share.weight * max_component(mirror);
-            if (max_component(mirror) > 0 && is_followed(world_, mirror_weight, level + 1)) {
+            if (max_component(mirror) > 0 && is_followed(limits_, mirror_weight, level + 1)) {
                 ++lighting_.counts.reflected;
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
@@ -179,6 +180,7 @@ class Whitted {
     }
 
     const World<Real>& world_;
+    const TraceLimits limits_;
     CameraMedia<Real> origins_;
     Lighting<Real, Media> lighting_;
 };
