@@ -37,7 +37,7 @@ void limit(__rlimit_resource resource, std::uint64_t value, std::uint64_t grace 
 }
 
 /// Bytes of memory that this process has for itself already.
-std::uint64_t data_bytes() {
+[[maybe_unused]] std::uint64_t data_bytes() {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {
         std::uint64_t kibibytes = 0;
