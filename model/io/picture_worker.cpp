@@ -12,17 +12,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/sanitized.h"
 #include "model/io/image_checks.h"
 #include "model/io/stored_image.h"
-
-// The sanitizers' shadow memory is larger than any limit.
-#if defined(__SANITIZE_ADDRESS__)
-#define LANCER_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define LANCER_SANITIZED 1
-#endif
-#endif
 
 namespace lancer::io {
 namespace {
