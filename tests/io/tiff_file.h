@@ -68,8 +68,8 @@ struct TiffFile {
                     }
                     for (std::uint32_t bit = bits; bit-- > 0;) {
                         if (filled % 8 == 0) row.push_back('\0');
-                        row.back() =
-                            static_cast<char>(row.back() | (v >> bit & 1) << (7 - filled++ % 8));
+                        row.back() = static_cast<char>(static_cast<unsigned char>(row.back()) |
+                                                       (v >> bit & 1) << (7 - filled++ % 8));
                     }
                 }
             }

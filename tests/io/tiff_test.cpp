@@ -54,7 +54,7 @@ void expect_steps(const Image& image, const TiffFile& file) {
 
 TEST_F(Tiff, IsReadPlaneByPlaneWithAnyNumberOfRowsToAStrip) {
     for (const bool packed : {false, true}) {
-        for (const std::uint32_t rows : {1, 2, 3, 5, 7, 8, 12, 13, 16, 17, 20, 40}) {
+        for (const std::uint32_t rows : {1U, 2U, 3U, 5U, 7U, 8U, 12U, 13U, 16U, 17U, 20U, 40U}) {
             TiffFile file;
             file.height = 40;
             file.rows_per_strip = rows;
@@ -68,7 +68,7 @@ TEST_F(Tiff, IsReadPlaneByPlaneWithAnyNumberOfRowsToAStrip) {
 
 TEST_F(Tiff, OfTilesReachesBeyondThePicture) {
     for (const bool separate : {false, true}) {
-        for (const std::uint32_t bits : {1, 4, 8, 16}) {
+        for (const std::uint32_t bits : {1U, 4U, 8U, 16U}) {
             TiffFile file;
             file.width = 37;
             file.height = 21;
@@ -84,9 +84,9 @@ TEST_F(Tiff, OfTilesReachesBeyondThePicture) {
 }
 
 TEST_F(Tiff, OfInksIsLightInStripsAndTilesAlike) {
-    for (const std::uint32_t tile : {0, 16}) {
+    for (const std::uint32_t tile : {0U, 16U}) {
         for (const bool separate : {false, true}) {
-            for (const std::uint32_t size : {16, 20}) {
+            for (const std::uint32_t size : {16U, 20U}) {
                 TiffFile file;
                 file.width = file.height = size;
                 file.samples = 4;
@@ -123,7 +123,7 @@ TEST_F(Tiff, OfInksWithAlphaKeepsIt) {
 
 TEST_F(Tiff, HasAnyBits) {
     for (std::uint32_t bits = 1; bits <= 16; ++bits) {
-        for (const std::uint32_t samples : {1, 3}) {
+        for (const std::uint32_t samples : {1U, 3U}) {
             TiffFile file;
             file.width = 11;
             file.bits = bits;
@@ -146,7 +146,7 @@ TEST_F(Tiff, HasAnyBits) {
 }
 
 TEST_F(Tiff, WhoseZeroIsWhiteIsTurnedAtEveryDepth) {
-    for (const std::uint32_t bits : {1, 4, 8, 16}) {
+    for (const std::uint32_t bits : {1U, 4U, 8U, 16U}) {
         TiffFile file;
         file.bits = bits;
         file.samples = 1;
@@ -159,8 +159,8 @@ TEST_F(Tiff, WhoseZeroIsWhiteIsTurnedAtEveryDepth) {
 }
 
 TEST_F(Tiff, HasPalettesUpTo16Bits) {
-    for (const std::uint32_t bits : {1, 2, 4, 8, 16}) {
-        for (const std::uint32_t scale : {1, 257}) {  // 8 bits, as old programs write, and 16
+    for (const std::uint32_t bits : {1U, 2U, 4U, 8U, 16U}) {
+        for (const std::uint32_t scale : {1U, 257U}) {  // 8 bits, as old programs write, and 16
             TiffFile file;
             file.bits = bits;
             file.samples = 1;
@@ -181,7 +181,7 @@ TEST_F(Tiff, HasPalettesUpTo16Bits) {
 
 TEST_F(Tiff, HasFloatsOfThreeSizes) {
     const double wanted[] = {0, 1, -2.5, 1000};
-    for (const std::uint32_t bits : {16, 32, 64}) {
+    for (const std::uint32_t bits : {16U, 32U, 64U}) {
         TiffFile file;
         file.height = 1;
         file.bits = bits;
@@ -255,7 +255,7 @@ TEST_F(Tiff, IsShownUpright) {
 
 TEST_F(Tiff, CutShortIsAnErrorAtEveryByte) {
     for (const bool packed : {false, true}) {
-        for (const std::uint32_t tile : {0, 16}) {
+        for (const std::uint32_t tile : {0U, 16U}) {
             TiffFile file;
             file.rows_per_strip = 2;
             file.pack_bits = packed;
