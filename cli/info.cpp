@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/scene_loader.h"
 #include "cli/scene_summary.h"
+#include "tracer/wide/level.h"
 
 namespace lancer::cli {
 namespace {
@@ -60,6 +61,7 @@ std::string to_text(const Scene& scene, const SceneSummary& summary) {
     row("surfaces", fmt::format("{}, {}, {}", list_of({{"material", summary.materials}}),
                                 list_of({{"texture", summary.textures}}),
                                 list_of({{"image", summary.images}})));
+    row("level", fmt::format("{}: rays side by side, by this processor", name_of(best_level())));
     out += fmt::format("\nIt requires of the renderer{}\n",
                        summary.requirements.empty() ? " nothing special" : ":");
     for (const Requirement& r : summary.requirements) {
@@ -92,6 +94,7 @@ std::string to_json(const std::string& path, const Scene& scene, const SceneSumm
     json["materials"] = summary.materials;
     json["textures"] = summary.textures;
     json["images"] = summary.images;
+    json["level"] = name_of(best_level());
     json["requires"] = nlohmann::ordered_json::array();
     for (const Requirement& r : summary.requirements) {
         json["requires"].push_back({{"feature", name_of(r.feature)},

@@ -75,6 +75,15 @@ void add_view_options(CLI::App& app, RenderJob& job) {
         ->group(group);
 }
 
+Level parse_level(const std::string& text) {
+    for (const Level level : {Level::scalar, Level::avx2, Level::avx512}) {
+        if (text != name_of(level)) continue;
+        if (is_supported(level)) return level;
+        throw UsageError("--level: this processor has no " + text);
+    }
+    throw UsageError("'" + text + "' is no level: expected scalar, avx2 or avx512");
+}
+
 }  // namespace
 
 void add_render(CLI::App& app, Action& action) {
@@ -86,6 +95,13 @@ void add_render(CLI::App& app, Action& action) {
     add_output_options(command, *job);
     add_view_options(command, *job);
     add_settings_options(command, job->settings);
+    command
+        .add_option_function<std::string>(
+            "--level",
+            [job = job.get()](const std::string& text) { job->level = parse_level(text); },
+            "Rays side by side: scalar, avx2 or avx512; the fastest by default. The picture is the "
+            "same")
+        ->type_name("NAME");
     add_not_yet(command, "--max-error", "E", "Sample until the error is below E");
     add_not_yet(command, "--time", "S", "The best picture within S seconds");
     add_scene_options(command, job->scene_options);

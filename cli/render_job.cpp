@@ -106,9 +106,10 @@ class Rendering {
         if (statistics_.frames == 0) session_.terminal.show(missing_parts(scene), session_.sources);
 
         Stopwatch watch;
-        const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings);
+        const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings, job_.level);
         statistics_.build += watch.seconds();
         statistics_.threads = scene.settings.threads;
+        statistics_.level = name_of(renderer->level());
 
         watch = {};
         RayCounts rays;

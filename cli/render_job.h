@@ -9,6 +9,7 @@
 #include "cli/session.h"
 #include "cli/settings_options.h"
 #include "model/io/image_file.h"
+#include "tracer/render.h"
 
 namespace lancer::cli {
 
@@ -22,6 +23,7 @@ struct RenderJob {
     bool preview = false;  ///< one ray per pixel, a quarter of the width and of the height
     bool aov = false;
     bool quiet = false;
+    Level level = best_level();  ///< the fastest that may be used
     std::string
         statistics;  ///< path of the JSON file; `-`: for people, to standard output; may be empty
     io::ImageWriteOptions image;

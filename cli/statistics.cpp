@@ -53,6 +53,7 @@ std::string to_json(const Statistics& s) {
           {"transmitted", s.rays.transmitted}}},
         {"rays_per_second", rays_per_second(s)},
         {"threads", s.threads},
+        {"level", s.level},
         {"peak_memory_bytes", peak_memory_bytes()},
         {"media_lost", s.rays.media_lost},
         {"frames", s.frames},
@@ -86,6 +87,7 @@ std::string to_text(const Statistics& s) {
     row("transmitted", fmt::format("{} rays", s.rays.transmitted));
     row("speed", fmt::format("{:.0f} rays/s", rays_per_second(s)));
     row("threads", fmt::format("{}", s.threads));
+    row("level", s.level);
     row("memory", fmt::format("{:.1f} MB", static_cast<double>(peak_memory_bytes()) / 1e6));
     row("shapes", fmt::format("{}", s.world.shapes));
     row("triangles", fmt::format("{}", s.world.triangles));

@@ -19,6 +19,7 @@ struct Statistics {
     double total = 0;  ///< of the whole process
     RayCounts rays;
     int threads = 0;
+    std::string level;  ///< of rays side by side: Renderer::level()
     std::uint64_t frames = 0;
     WorldCounts world;
     std::uint64_t cameras = 0;

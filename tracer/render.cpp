@@ -4,7 +4,7 @@
 
 namespace lancer {
 
-std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings) {
+std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings, Level level) {
     switch (settings.precision) {
         case Precision::single:
             return compile_single(scene, settings);
@@ -13,7 +13,7 @@ std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings) 
         case Precision::double_:
             break;
     }
-    return compile_double(scene, settings);
+    return compile_double(scene, settings, level);
 }
 
 }  // namespace lancer

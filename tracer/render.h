@@ -15,6 +15,7 @@
 #include "model/shapes.h"
 #include "tracer/rays/ray_counts.h"
 #include "tracer/rays/trace_limits.h"
+#include "tracer/wide/level.h"
 
 namespace lancer {
 
@@ -90,11 +91,17 @@ class Renderer {
     virtual Probe probe(const View& view, double x, double y) const = 0;
 
     virtual WorldCounts counts() const = 0;
+
+    /// How many rays go side by side: scalar for worlds that faster levels do not know.
+    virtual Level level() const = 0;
 };
 
 /// Builds what rendering needs. Throws SceneError, e.g. for coordinates that leave the number
 /// type's range.
-std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings);
+///
+/// \param level  the fastest that may be used; supported here. Pictures are the same on all
+std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings,
+                                  Level level = best_level());
 
 /// For the judge: a renderer with a recursion of its own (tracer/povray/recursion.h), by POV-Ray's
 /// rules or, where they are not `followed`, by ours; in double precision. Throws SceneError as

@@ -3,8 +3,9 @@
 
 namespace lancer {
 
-std::unique_ptr<Renderer> compile_double(const Scene& scene, const Settings& settings) {
-    return std::make_unique<RendererOf<double>>(scene, settings);
+std::unique_ptr<Renderer> compile_double(const Scene& scene, const Settings& settings,
+                                         Level level) {
+    return std::make_unique<RendererOf<double>>(scene, settings, level);
 }
 
 std::unique_ptr<Renderer> compile_by_povray(const Scene& scene, const Settings& settings,

@@ -8,7 +8,7 @@
 namespace lancer {
 
 std::unique_ptr<Renderer> compile_single(const Scene& scene, const Settings& settings);
-std::unique_ptr<Renderer> compile_double(const Scene& scene, const Settings& settings);
+std::unique_ptr<Renderer> compile_double(const Scene& scene, const Settings& settings, Level level);
 std::unique_ptr<Renderer> compile_extended(const Scene& scene, const Settings& settings);
 
 }  // namespace lancer

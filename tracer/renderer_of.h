@@ -8,20 +8,27 @@
 
 #include "base/parallel.h"
 #include "model/diagnostic.h"
-#include "model/sobol.h"
 #include "tracer/compile/compile.h"
 #include "tracer/povray/recursion.h"
 #include "tracer/rays/camera.h"
 #include "tracer/recursion/whitted.h"
+#include "tracer/samples.h"
 #include "tracer/scene/far_camera.h"
+#include "tracer/wide/wide_tracer.h"
 
 namespace lancer {
 
 template <class Real>
 class RendererOf final : public Renderer {
   public:
-    RendererOf(const Scene& scene, const Settings& settings)
-        : world_(compile_world<Real>(scene, settings)), cameras_(scene.cameras) {}
+    /// \param level  of rays side by side, where the world and the number type have them
+    RendererOf(const Scene& scene, const Settings& settings, Level level = Level::scalar)
+        : world_(compile_world<Real>(scene, settings)), cameras_(scene.cameras) {
+        if constexpr (has_wide) {
+            if (level != Level::scalar && WideWorld::is_for(*world_))
+                wide_ = std::make_unique<WideWorld>(*world_, level);
+        }
+    }
     RendererOf(const Scene& scene, const Settings& settings, const PovRayRules& by_povray)
         : world_(compile_world<Real>(scene, settings, by_povray.followed ? &by_povray : nullptr)),
           cameras_(scene.cameras),
@@ -34,29 +41,23 @@ class RendererOf final : public Renderer {
         if (view.aov)
             image.extra_names = {"object.id", "depth.Z",  "normal.X",
                                  "normal.Y",  "normal.Z", "shadow.Y"};
-        constexpr int tile = 16;
-        const int across = (crop.width + tile - 1) / tile;
-        const int down = (crop.height + tile - 1) / tile;
+        const int across = (crop.width + tile_size - 1) / tile_size;
+        const int down = (crop.height + tile_size - 1) / tile_size;
         const CameraFrame<Real> camera_frame = camera_frame_of(view);
         std::mutex merging;
         constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::max();
         std::int64_t overflow = nowhere;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
-            with_tracer(limits(), [&](auto& tracer) {
+            with_fastest_tracer(limits(), camera_frame, [&](auto& tracer) {
                 std::int64_t own_overflow = nowhere;
                 for (int index = 0; next_task(index);) {
-                    const int left = index % across * tile;
-                    const int top = index / across * tile;
-                    for (int y = top; y < std::min(top + tile, crop.height); ++y) {
-                        for (int x = left; x < std::min(left + tile, crop.width); ++x) {
-                            fill(image.pixel(x, y), tracer, camera_frame, view, crop.x + x,
-                                 crop.y + y);
-                            if (overflows(image.pixel(x, y)))
-                                own_overflow =
-                                    std::min(own_overflow, std::int64_t(y) * crop.width + x);
-                        }
-                    }
+                    const int left = index % across * tile_size;
+                    const int top = index / across * tile_size;
+                    const Crop tile{left, top, std::min(tile_size, crop.width - left),
+                                    std::min(tile_size, crop.height - top)};
+                    fill(image, tile, tracer, camera_frame, view, crop);
+                    own_overflow = std::min(own_overflow, first_overflow(image, tile));
                 }
                 const std::lock_guard lock(merging);
                 counts += tracer.counts();
@@ -77,14 +78,12 @@ class RendererOf final : public Renderer {
         const int stretches = static_cast<int>((points.size() + stretch - 1) / stretch);
         std::mutex merging;
         for_each_task(stretches, world_->settings.threads, progress, [&](auto next_task) {
-            with_tracer(limits, [&](auto& tracer) {
+            with_fastest_tracer(limits, camera_frame, [&](auto& tracer) {
                 for (int index = 0; next_task(index);) {
                     const std::size_t begin = static_cast<std::size_t>(index) * stretch;
                     const std::size_t end = std::min(begin + stretch, points.size());
-                    for (std::size_t i = begin; i < end; ++i)
-                        colors[i] = convert<double>(
-                            sample(tracer, camera_frame, view, static_cast<Real>(points[i].x),
-                                   static_cast<Real>(points[i].y), nullptr));
+                    trace_some(points.subspan(begin, end - begin), tracer, camera_frame, view,
+                               colors.subspan(begin, end - begin));
                 }
                 const std::lock_guard lock(merging);
                 counts += tracer.counts();
@@ -114,6 +113,8 @@ class RendererOf final : public Renderer {
         return probe;
     }
 
+    Level level() const override { return wide_ ? wide_->level() : Level::scalar; }
+
     WorldCounts counts() const override {
         WorldCounts c;
         c.shapes = world_->primitives.size();
@@ -138,6 +139,8 @@ class RendererOf final : public Renderer {
 
   private:
     static constexpr int aov_channels = 6;
+    /// Rays go side by side in double alone.
+    static constexpr bool has_wide = std::is_same_v<Real, double>;
 
     TraceLimits limits() const {
         return {world_->settings.max_depth, world_->settings.min_contribution};
@@ -163,9 +166,34 @@ class RendererOf final : public Renderer {
         }
     }
 
+    /// The same with the tracer that is fastest for many rays: of those that go side by side, where
+    /// there are any.
+    template <class Work>
+    void with_fastest_tracer(const TraceLimits& limits, const CameraFrame<Real>& camera_frame,
+                             Work&& work) const {
+        if constexpr (has_wide) {
+            if (wide_) {
+                if (const auto tracer = wide_->tracer(limits, camera_frame)) {
+                    work(*tracer);
+                    return;
+                }
+            }
+        }
+        with_tracer(limits, work);
+    }
+
     /// Light that no number holds becomes infinite, and with a factor of 0 no number at all.
     static bool overflows(const double* pixel) {
         return !(std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]));
+    }
+    /// Of the tile's pixels, as its place in the image; the largest number for none.
+    static std::int64_t first_overflow(Image& image, const Crop& tile) {
+        for (int y = tile.y; y < tile.y + tile.height; ++y) {
+            for (int x = tile.x; x < tile.x + tile.width; ++x) {
+                if (overflows(image.pixel(x, y))) return std::int64_t(y) * image.width + x;
+            }
+        }
+        return std::numeric_limits<std::int64_t>::max();
     }
     [[noreturn]] static void refuse_overflow(std::int64_t x, std::int64_t y) {
         throw SceneError({},
@@ -200,47 +228,91 @@ class RendererOf final : public Renderer {
         return color;
     }
 
+    /// A tile of the image, which holds the crop of the picture.
     template <class Tracer>
-    void fill(double* pixel, Tracer& tracer, const CameraFrame<Real>& camera_frame,
-              const View& view, int x, int y) const {
+    void fill(Image& image, const Crop& tile, Tracer& tracer, const CameraFrame<Real>& camera_frame,
+              const View& view, const Crop& crop) const {
         const int n = world_->settings.samples;
-        const Vec3<Real> sum = n > 1 && world_->settings.sampling == Sampling::sobol
-                                   ? sobol_sum(tracer, camera_frame, view, x, y)
-                                   : grid_sum(tracer, camera_frame, view, x, y);
-        const Vec3d color = convert<double>(n == 1 ? sum : sum / static_cast<Real>(n * n));
-        for (int c = 0; c < 3; ++c) pixel[c] = color[c];
-        if (view.aov) fill_aov(pixel + 3, camera_frame, view, x, y);
-    }
-
-    template <class Tracer>
-    Vec3<Real> sobol_sum(Tracer& tracer, const CameraFrame<Real>& camera_frame, const View& view,
-                         int x, int y) const {
-        const int n = world_->settings.samples;
-        const SobolPoints points(pixel_key(world_->settings.seed, x, y));
-        Vec3<Real> sum(0);
-        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n * n); ++i) {
-            const SquarePoint at = points[i];
-            sum += sample(tracer, camera_frame, view, static_cast<Real>(x + at.x),
-                          static_cast<Real>(y + at.y), nullptr);
-        }
-        return sum;
-    }
-
-    template <class Tracer>
-    Vec3<Real> grid_sum(Tracer& tracer, const CameraFrame<Real>& camera_frame, const View& view,
-                        int x, int y) const {
-        const int n = world_->settings.samples;
-        Vec3<Real> sum(0);
-        for (int j = 0; j < n; ++j) {
-            for (int i = 0; i < n; ++i) {
-                const Real at_x = static_cast<Real>(x) +
-                                  (static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n);
-                const Real at_y = static_cast<Real>(y) +
-                                  (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(n);
-                sum += sample(tracer, camera_frame, view, at_x, at_y, nullptr);
+        for (int y = tile.y; y < tile.y + tile.height; ++y) {
+            for (int x = tile.x; x < tile.x + tile.width; ++x) {
+                Vec3<Real> sum(0);
+                for_each_sample<Real>(
+                    world_->settings, crop.x + x, crop.y + y, [&](Real at_x, Real at_y) {
+                        sum += sample(tracer, camera_frame, view, at_x, at_y, nullptr);
+                    });
+                put_mean(image.pixel(x, y), n == 1 ? sum : sum / static_cast<Real>(n * n));
+                if (view.aov)
+                    fill_aov(image.pixel(x, y) + 3, camera_frame, view, crop.x + x, crop.y + y);
             }
         }
-        return sum;
+    }
+
+    /// The same, many rays at a time.
+    void fill(Image& image, const Crop& tile, WideTracer& tracer,
+              const CameraFrame<Real>& camera_frame, const View& view, const Crop& crop) const {
+        const int n = world_->settings.samples;
+        RayBatch batch;
+        std::array<double*, RayBatch::most> pixel_of;
+        const auto trace_batch = [&] {
+            tracer.trace(camera_frame, view.width, view.height, batch);
+            for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+                for (int c = 0; c < 3; ++c) pixel_of[i][c] += batch.color[i][c];
+            }
+            batch.count = 0;
+        };
+        const auto each_pixel = [&](auto&& use) {
+            for (int i = 0; i < tile_size * tile_size; ++i) {
+                const auto [x, y] = tile_pixel(i);
+                if (x < tile.width && y < tile.height) use(tile.x + x, tile.y + y);
+            }
+        };
+        each_pixel([&](int x, int y) {
+            double* pixel = image.pixel(x, y);
+            std::fill(pixel, pixel + 3, 0.0);
+            for_each_sample<double>(world_->settings, crop.x + x, crop.y + y,
+                                    [&](double at_x, double at_y) {
+                                        const auto i = static_cast<std::size_t>(batch.count++);
+                                        batch.x[i] = at_x;
+                                        batch.y[i] = at_y;
+                                        pixel_of[i] = pixel;
+                                        if (batch.count == RayBatch::most) trace_batch();
+                                    });
+        });
+        if (batch.count != 0) trace_batch();
+        each_pixel([&](int x, int y) {
+            double* pixel = image.pixel(x, y);
+            for (int c = 0; c < 3 && n > 1; ++c) pixel[c] /= n * n;
+            if (view.aov) fill_aov(pixel + 3, camera_frame, view, crop.x + x, crop.y + y);
+        });
+    }
+
+    template <class Tracer>
+    void trace_some(std::span<const PicturePoint> points, Tracer& tracer,
+                    const CameraFrame<Real>& camera_frame, const View& view,
+                    std::span<Color> colors) const {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            colors[i] =
+                convert<double>(sample(tracer, camera_frame, view, static_cast<Real>(points[i].x),
+                                       static_cast<Real>(points[i].y), nullptr));
+    }
+
+    /// At most RayBatch::most points.
+    void trace_some(std::span<const PicturePoint> points, WideTracer& tracer,
+                    const CameraFrame<Real>& camera_frame, const View& view,
+                    std::span<Color> colors) const {
+        RayBatch batch;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            batch.x[i] = points[i].x;
+            batch.y[i] = points[i].y;
+        }
+        batch.count = static_cast<int>(points.size());
+        tracer.trace(camera_frame, view.width, view.height, batch);
+        std::copy_n(batch.color.begin(), points.size(), colors.begin());
+    }
+
+    static void put_mean(double* pixel, const Vec3<Real>& mean) {
+        const Vec3d color = convert<double>(mean);
+        for (int c = 0; c < 3; ++c) pixel[c] = color[c];
     }
 
     /// By a ray of its own through the centre, which no count shows.
@@ -264,6 +336,7 @@ class RendererOf final : public Renderer {
     }
 
     std::unique_ptr<World<Real>> world_;
+    std::unique_ptr<WideWorld> wide_;  ///< null where rays go one by one
     std::vector<Camera> cameras_;
     std::optional<Real> povray_unit_;  ///< set: rays are traced by the judge's recursion ...
     bool by_povray_ = false;           ///< ... and by POV-Ray's rules

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/cli/run_lancer.h"
+#include "tracer/wide/level.h"
 
 namespace lancer::cli {
 namespace {
@@ -162,6 +163,7 @@ TEST(Commands, InfoTellsWhatTheSceneHoldsAndWhoAsksForWhat) {
     const nlohmann::json json = nlohmann::json::parse(finished.out);
     EXPECT_EQ(json.at("shapes").at("sphere"), 2);
     EXPECT_EQ(json.at("cameras").size(), 2u);
+    EXPECT_EQ(json.at("level"), name_of(best_level()));
     std::vector<std::string> features;
     for (const auto& requirement : json.at("requires"))
         features.push_back(requirement.at("feature"));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run_lancer.h"
+#include "tracer/wide/level.h"
 
 namespace lancer::cli {
 namespace {
@@ -150,6 +151,9 @@ TEST_F(Render, StatisticsHaveTheirKeys) {
     EXPECT_EQ(json.at("rays").at("transmitted"), 0);
     EXPECT_GT(json.at("rays_per_second"), 0);
     EXPECT_EQ(json.at("threads"), 2);
+    EXPECT_EQ(json.at("level"), name_of(best_level()));
+    ASSERT_EQ(render({"--stats", "s.json", "--level", "scalar"}).code, 0);
+    EXPECT_EQ(nlohmann::json::parse(place_.read("s.json")).at("level"), "scalar");
     EXPECT_GT(json.at("peak_memory_bytes"), 1'000'000);
     EXPECT_EQ(json.at("media_lost"), 0);
     EXPECT_EQ(json.at("counts").at("shapes"), 3);
@@ -269,6 +273,7 @@ TEST_F(Render, WrongUseIsToldApart) {
                                                {"--min-contribution", "nan"},
                                                {"--tolerance", "0"},
                                                {"--precision", "half"},
+                                               {"--level", "mmx"},
                                                {"--max-error", "0.1"},
                                                {"--time", "5"},
                                                {"--limit-calls", "0"},

@@ -45,7 +45,7 @@ class OpaqueTracer {
         return trace(ray, {at_camera}, weight, 0);
     }
 
-  private:
+    /// The colour that any ray brings.
     Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, Real weight, int level) {
         if (!is_followed(limits_, weight, level)) return Vec3<Real>{};
         const NoMedia nowhere;
@@ -54,6 +54,12 @@ class OpaqueTracer {
             lighting_.note(none);
             return world_.background;
         }
+        return shade(ray, contact, weight, level);
+    }
+
+    /// The same for a ray that meets this first; not empty.
+    Vec3<Real> shade(const Ray<Real>& ray, Contact<Real>& contact, Real weight, int level) {
+        const NoMedia nowhere;
         const Real t = contact.front().t;
         order_contact(world_, contact);
         SurfaceList touched;
@@ -79,6 +85,7 @@ class OpaqueTracer {
         return result;
     }
 
+  private:
     /// Of several surfaces in one place the one that the scene names first shows.
     const Hit<Real>& declared_first(const Contact<Real>& contact) const {
         const auto object = [&](const Hit<Real>& hit) {

@@ -1,0 +1,50 @@
+// No function with a level's instructions can take the place of another object's.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+std::string output_of(const std::string& command) {
+    std::string output;
+    FILE* program = popen(command.c_str(), "r");
+    for (int c = 0; program != nullptr && (c = fgetc(program)) != EOF;)
+        output += static_cast<char>(c);
+    EXPECT_EQ(program == nullptr ? -1 : pclose(program), 0) << command;
+    return output;
+}
+
+/// A linker takes a weak function from any of the objects that hold it. So the objects of a level
+/// may define none outside of the level's namespace, and nothing else but their one entry.
+TEST(Levels, ObjectsDefineNothingOutsideOfTheirNamespace) {
+    const std::string objects = LANCER_LEVEL_OBJECTS;
+    std::istringstream list(objects);
+    int seen = 0;
+    for (std::string object; std::getline(list, object, ' ');) {
+        const std::string level = object.find("avx512") != std::string::npos ? "avx512" : "avx2";
+        const std::string space = "lancer::wide::" + level + "::";
+        std::istringstream symbols(output_of("nm -C --defined-only '" + object + "'"));
+        std::vector<std::string> foreign;
+        int weak = 0;
+        for (std::string line; std::getline(symbols, line);) {
+            const std::size_t kind = line.find(' ') + 1;
+            const std::string name = line.substr(kind + 2);
+            if (std::string("WuTDB").find(line[kind]) == std::string::npos) continue;
+            ++weak;
+            if (name.starts_with("lancer::wide::trace_rays_" + level + "(")) continue;
+            const std::string start = name.substr(0, name.find('('));
+            if (start.find(space) == std::string::npos) foreign.push_back(line);
+        }
+        EXPECT_GT(weak, 5) << object;
+        EXPECT_THAT(foreign, testing::IsEmpty()) << object;
+        ++seen;
+    }
+    if (seen == 0) GTEST_SKIP() << "no levels for this processor's family";
+    EXPECT_EQ(seen, 2);
+}
+
+}  // namespace

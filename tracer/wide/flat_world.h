@@ -1,0 +1,33 @@
+// A world as plain arrays, for code that must not call functions of elsewhere: wide/scene.h.
+#pragma once
+
+#include <vector>
+
+#include "tracer/scene/world.h"
+#include "tracer/wide/scene.h"
+
+namespace lancer::wide {
+
+/// Refers to the world, and to itself.
+class FlatWorld {
+  public:
+    explicit FlatWorld(const World<double>& world);
+    FlatWorld(const FlatWorld&) = delete;
+    FlatWorld& operator=(const FlatWorld&) = delete;
+
+    const Scene& scene() const { return scene_; }
+
+  private:
+    void add(const Primitive<double>& primitive);
+    void add(const lancer::Finish<double>& finish, const World<double>& world);
+    void add(const LightSource<double>& light, const World<double>& world);
+
+    std::vector<Item> items_;
+    std::vector<Ball> balls_;
+    std::vector<Plane> planes_;
+    std::vector<Finish> finishes_;
+    std::vector<Light> lights_;
+    Scene scene_{};
+};
+
+}  // namespace lancer::wide

@@ -1,0 +1,108 @@
+// Eight numbers in one register of AVX-512. lanes_avx2.h has the same in two registers of AVX2.
+//
+// Headers of this room that compute stand in a namespace of their level, and call nothing from
+// elsewhere: a function that several objects hold is linked from any of them, and a processor that
+// lacks the level's instructions must never get one that was compiled with them.
+#pragma once
+
+#include <immintrin.h>
+#include <sleef.h>
+
+namespace lancer::wide::LANCER_LEVEL {
+
+#define LANCER_INLINE [[gnu::always_inline]] inline
+
+/// One bit a lane.
+using Mask = unsigned;
+inline constexpr int lanes = 8;
+
+struct Numbers {
+    __m512d v;
+};
+/// For the tests of boxes.
+struct Floats {
+    __m256 v;
+};
+
+LANCER_INLINE Numbers all(double x) {
+    return {_mm512_set1_pd(x)};
+}
+LANCER_INLINE Numbers load(const double* from) {
+    return {_mm512_loadu_pd(from)};
+}
+LANCER_INLINE void store(double* to, const Numbers& a) {
+    _mm512_storeu_pd(to, a.v);
+}
+
+LANCER_INLINE Numbers operator+(const Numbers& a, const Numbers& b) {
+    return {_mm512_add_pd(a.v, b.v)};
+}
+LANCER_INLINE Numbers operator-(const Numbers& a, const Numbers& b) {
+    return {_mm512_sub_pd(a.v, b.v)};
+}
+LANCER_INLINE Numbers operator*(const Numbers& a, const Numbers& b) {
+    return {_mm512_mul_pd(a.v, b.v)};
+}
+LANCER_INLINE Numbers operator/(const Numbers& a, const Numbers& b) {
+    return {_mm512_div_pd(a.v, b.v)};
+}
+LANCER_INLINE Numbers operator-(const Numbers& a) {
+    return {_mm512_xor_pd(a.v, _mm512_set1_pd(-0.0))};
+}
+LANCER_INLINE Numbers root(const Numbers& a) {
+    return {_mm512_sqrt_pd(a.v)};
+}
+LANCER_INLINE Numbers absolute(const Numbers& a) {
+    return {_mm512_abs_pd(a.v)};
+}
+/// `size`, which is not negative, with the sign of `sign`.
+LANCER_INLINE Numbers with_sign(const Numbers& size, const Numbers& sign) {
+    return {_mm512_or_pd(size.v, _mm512_and_pd(sign.v, _mm512_set1_pd(-0.0)))};
+}
+/// a > b ? a : b
+LANCER_INLINE Numbers larger(const Numbers& a, const Numbers& b) {
+    return {_mm512_max_pd(a.v, b.v)};
+}
+/// a < b ? a : b
+LANCER_INLINE Numbers smaller(const Numbers& a, const Numbers& b) {
+    return {_mm512_min_pd(a.v, b.v)};
+}
+/// a b - product, rounded once: exact where `product` is that of a and b.
+LANCER_INLINE Numbers product_rest(const Numbers& a, const Numbers& b, const Numbers& product) {
+    return {_mm512_fmsub_pd(a.v, b.v, product.v)};
+}
+
+/// The lanes whose sign is minus, -0 included.
+LANCER_INLINE Mask negative(const Numbers& a) {
+    return _mm512_movepi64_mask(_mm512_castpd_si512(a.v));
+}
+LANCER_INLINE Mask less(const Numbers& a, const Numbers& b) {
+    return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ);
+}
+LANCER_INLINE Mask at_most(const Numbers& a, const Numbers& b) {
+    return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OQ);
+}
+LANCER_INLINE Mask equal(const Numbers& a, const Numbers& b) {
+    return _mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ);
+}
+LANCER_INLINE Numbers select(Mask mask, const Numbers& yes, const Numbers& no) {
+    return {_mm512_mask_blend_pd(static_cast<__mmask8>(mask), no.v, yes.v)};
+}
+/// The lanes of the mask side by side at `to`, where there is room for eight.
+LANCER_INLINE void store_packed(double* to, Mask mask, const Numbers& a) {
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(mask), a.v));
+}
+LANCER_INLINE void store_some(double* to, Mask mask, const Numbers& a) {
+    _mm512_mask_storeu_pd(to, static_cast<__mmask8>(mask), a.v);
+}
+
+LANCER_INLINE Floats rounded(const Numbers& a) {
+    return {_mm512_cvtpd_ps(a.v)};
+}
+
+/// elementary::pow, by the function of the same library that gives the same bits.
+LANCER_INLINE Numbers power(const Numbers& x, const Numbers& y) {
+    return {Sleef_cinz_powd8_u10avx512fnofma(x.v, y.v)};
+}
+
+}  // namespace lancer::wide::LANCER_LEVEL

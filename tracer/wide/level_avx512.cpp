@@ -1,0 +1,15 @@
+// The rays of a tile side by side, for processors with AVX-512; the only file with its
+// instructions.
+#define LANCER_LEVEL avx512
+#include "tracer/wide/lanes_avx512.h"
+// All of the level's code, in the order of use.
+#include "tracer/wide/level_code.h"
+
+namespace lancer::wide {
+
+void trace_rays_avx512(Job& job, const Camera& camera, const double* x, const double* y,
+                       int count) {
+    avx512::trace_rays(job, camera, x, y, count);
+}
+
+}  // namespace lancer::wide

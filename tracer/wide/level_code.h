@@ -1,0 +1,27 @@
+// What is compiled once for each level, in a namespace of its own: in the order of use.
+#pragma once
+
+#include "tracer/wide/scene.h"
+//
+#include "tracer/wide/floats.h"
+//
+#include "tracer/wide/vectors.h"
+//
+#include "tracer/wide/rays.h"
+//
+#include "tracer/wide/slabs.h"
+//
+#include "tracer/wide/search.h"
+//
+#include "tracer/wide/hits.h"
+//
+#include "tracer/wide/balls.h"
+#include "tracer/wide/planes.h"
+//
+#include "tracer/wide/nearest.h"
+#include "tracer/wide/shadows.h"
+#include "tracer/wide/surfaces.h"
+//
+#include "tracer/wide/lighting.h"
+//
+#include "tracer/wide/wave.h"

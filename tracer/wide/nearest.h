@@ -1,0 +1,53 @@
+// What eight rays meet first: intersect/nearest_contact.h for lanes.
+#pragma once
+
+namespace lancer::wide::LANCER_LEVEL {
+
+/// Asks the exact methods about one item, for the rays of the mask.
+[[gnu::noinline]] inline void exact_crossings(ExactMethods& exact, std::uint32_t item,
+                                              const Rays& r, const Starts& starts, Mask mask,
+                                              NearestHits& hits) {
+    struct Lane {
+        NearestHits& hits;
+        int i;
+    };
+    for_each_lane(mask, [&](int i) {
+        Lane own{hits, i};
+        const HitSink sink{&own,
+                           [](void* self) {
+                               const Lane& to = *static_cast<Lane*>(self);
+                               return lane(to.hits.limit, to.i);
+                           },
+                           [](void* self, const LaneHit& hit) {
+                               const Lane& to = *static_cast<Lane*>(self);
+                               to.hits.add(to.i, hit);
+                           }};
+        exact.crossings(item, lane_ray(r, i), starts.lane(i), sink);
+    });
+}
+
+inline void find_nearest(const Job& job, const Rays& r, const Starts& starts, Mask active,
+                         NearestHits& hits) {
+    const Scene& scene = *job.scene;
+    for (std::uint32_t i = scene.bounded; i < scene.item_count; ++i) {
+        // A line meets a plane once.
+        const Mask mask = active & ~equal(starts.item, i) & ~equal(starts.left, i);
+        plane_crossings(scene.planes[i - scene.bounded], i, r, mask, hits);
+    }
+    traverse(
+        scene.tree, r, active, hits.limit, [&](std::uint32_t first, std::uint32_t count, Mask met) {
+            for (std::uint32_t i = first; i < first + count; ++i) {
+                const Item& item = scene.items[i];
+                const Mask mask = met & ~equal(starts.left, i);
+                Mask asked = mask;
+                if (item.kind == Kind::ball) {
+                    const Mask own = mask & equal(starts.item, i);
+                    asked = own | ball_crossings(scene.balls[item.shape], i, r, mask & ~own, hits);
+                }
+                if (asked != 0) exact_crossings(*job.exact, i, r, starts, asked, hits);
+            }
+        });
+    hits.unsure &= active;
+}
+
+}  // namespace lancer::wide::LANCER_LEVEL

@@ -1,0 +1,203 @@
+// What wide code sees of a world: plain numbers in plain arrays. No function has its body here, and
+// nothing of the standard library's templates: see lanes_avx512.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace lancer::wide {
+
+inline constexpr std::uint32_t nothing = 0xFFFFFFFF;  ///< lancer::none
+
+/// BvhNode<double>, which this must lie over.
+struct Node {
+    float min[3][8];
+    float max[3][8];
+    std::uint32_t child[8];
+    std::uint32_t count[8];
+};
+
+struct Tree {
+    const Node* nodes;
+    std::size_t node_count;
+    double min[3];  ///< of the whole tree
+    double max[3];
+};
+
+/// BallSolid<double>
+struct Ball {
+    double center[3];
+    double radius;
+    double transform_error;
+    double filter_error;
+};
+
+/// HalfSpace<double>
+struct Plane {
+    double normal[3];
+    double point[3];
+    double transform_error;
+    double filter_error;
+    double offset;
+    double unit_normal[3];  ///< unit(normal)
+};
+
+enum class Kind : std::uint8_t {
+    ball,   ///< in world space
+    other,  ///< which scalar code knows
+};
+
+struct Item {
+    std::uint32_t shape = 0;  ///< index into the arrays of its kind
+    std::uint32_t material = 0;
+    Kind kind = Kind::other;
+    bool convex = false;
+    bool casts_shadow = true;
+};
+
+/// What of Finish<double> wide code computes with.
+struct Finish {
+    double color[3];
+    double reflection[3];
+    double own[3];  ///< ambient * World::ambient + emission
+    double diffuse, phong, shininess, blinn, inverse_roughness;
+    double opacity;
+    bool plain;     ///< its light is computed in lanes
+    bool textured;  ///< its colour is not
+};
+
+struct Light {
+    enum class Kind : std::uint8_t {
+        point,        ///< that does not fade
+        directional,  ///< its direction is `place`
+        other,        ///< which scalar code knows
+    };
+    Kind kind;
+    bool shadows;  ///< it, and the settings, have them
+    bool fill;     ///< it brings no highlights
+    double place[3];
+    double color[3];
+};
+
+struct Camera {
+    double position[3], forward[3], right[3], up[3];
+    bool orthographic;
+    double width, height;  ///< of the whole picture, in pixels
+};
+
+struct Scene {
+    Tree tree;
+    const Item* items;  ///< in the order of World::primitives
+    std::uint32_t bounded;
+    std::uint32_t item_count;
+    const Ball* balls;
+    const Plane* planes;  ///< items[bounded..]
+    const Finish* finishes;
+    const Light* lights;
+    std::size_t light_count;
+    double background[3];
+    int max_depth;
+    double min_contribution;
+};
+
+/// One ray, as Ray<double>.
+struct LaneRay {
+    double origin[3], origin_lo[3], dir[3];
+    double dir_squared, inv_squared, origin_error, filter_error;
+    double inv_dir[3];
+    bool whole;
+};
+
+/// What a ray starts on, if anything, and what it leaves for good.
+struct LaneStart {
+    std::uint32_t item, face;
+    bool entering;
+    std::uint32_t left;
+};
+
+struct LaneHit {
+    double t, error, u, v;
+    std::uint32_t item, face;
+    bool entering;
+};
+
+/// Surface<double>, as far as it does not follow from the hit.
+struct LaneSurface {
+    double position[3], position_lo[3], geometric[3], normal[3], color[3];
+    double error, opacity;
+};
+
+struct LaneLight {
+    double direction[3], color[3];
+    double distance;
+};
+
+/// Gets crossings that count.
+struct HitSink {
+    void* self;
+    double (*limit)(void* self);
+    void (*add)(void* self, const LaneHit& hit);
+};
+
+/// The exact methods: what wide code asks where it is unsure, one ray at a time. Rays carry their
+/// own counts.
+class ExactMethods {
+  public:
+    /// The light that a ray brings.
+    virtual void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
+                       double* color) = 0;
+    /// The same where it is known what the ray meets first.
+    virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
+                       double* color) = 0;
+    virtual void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) = 0;
+    virtual void light(std::size_t index, const double* position, const double* position_lo,
+                       LaneLight& light) = 0;
+    /// The crossings with one item up to the sink's limit that count.
+    virtual void crossings(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
+                           const HitSink& sink) = 0;
+    /// Whether the item lies on the way to a light.
+    virtual bool blocks(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
+                        double distance) = 0;
+    /// Whether anything does.
+    virtual bool is_blocked(const LaneRay& ray, const LaneStart& start, double distance) = 0;
+
+  protected:
+    ~ExactMethods() = default;
+};
+
+/// Rays that are traced together, and what they brought. Level by level each wave holds what the
+/// rays of the wave before it sent on.
+struct Wave {
+    static constexpr int most = 256;
+    static constexpr int room = most + 8;  ///< full vectors may be stored at any place
+
+    double origin[3][room], origin_lo[3][room], dir[3][room];
+    double error[room], weight[room];
+    double color[3][room];
+    double mirror[3][room];  ///< the factor of `color` in the sender's light
+    std::uint32_t sender[room];
+    std::uint32_t item[room], face[room], left[room];
+    bool entering[room];
+    int count;
+};
+
+struct Counts {
+    std::uint64_t primary, shadow, reflected;
+};
+
+/// Everything that a tile of rays needs.
+struct Job {
+    const Scene* scene;
+    ExactMethods* exact;
+    /// The wave of a level below Scene::max_depth; the same at each call.
+    Wave* (*wave)(void* waves, int level);
+    void* waves;
+    Counts counts;
+};
+
+/// Traces camera rays through `count` points of the picture, in pixels, at most Wave::most; their
+/// light is then in the `color` of the wave of level 0.
+using TraceRays = void (*)(Job& job, const Camera& camera, const double* x, const double* y,
+                           int count);
+
+}  // namespace lancer::wide

@@ -1,0 +1,74 @@
+// Which of eight rays to a light are blocked: query_occlusion() for lanes, in worlds where nothing
+// lets light pass.
+#pragma once
+
+namespace lancer::wide::LANCER_LEVEL {
+
+/// A ray is blocked as soon as one item blocks it for certain, whatever else lies on the way; where
+/// none does, and some may, the exact methods look at the whole way.
+class ShadowQuery {
+  public:
+    ShadowQuery(const Job& job, const Rays& r, const Starts& starts, const Numbers& distance)
+        : job_(job), scene_(*job.scene), rays_(r), starts_(starts), distance_(distance) {}
+
+    Mask blocked(Mask active) {
+        ask_planes(active);
+        Mask open = active & ~blocked_;
+        if (open != 0) {
+            traverse(scene_.tree, rays_, open, distance_,
+                     [&](std::uint32_t first, std::uint32_t count, Mask met) {
+                         for (std::uint32_t i = first; i < first + count; ++i) {
+                             ask(i, met & open);
+                             open &= ~(blocked_ | unsure_);
+                         }
+                     });
+        }
+        for_each_lane(unsure_ & ~blocked_, [&](int i) {
+            if (job_.exact->is_blocked(lane_ray(rays_, i), starts_.lane(i), lane(distance_, i)))
+                blocked_ |= Mask(1) << i;
+        });
+        return blocked_;
+    }
+
+  private:
+    /// Unsure rays go on here, as a plane may yet block them.
+    void ask_planes(Mask active) {
+        for (std::uint32_t i = scene_.bounded; i < scene_.item_count; ++i) {
+            if (!scene_.items[i].casts_shadow) continue;
+            const Mask mask =
+                active & ~blocked_ & ~equal(starts_.item, i) & ~equal(starts_.left, i);
+            if (mask == 0) continue;
+            const PlaneShadow shadow(scene_.planes[i - scene_.bounded], rays_, mask, distance_);
+            blocked_ |= shadow.blocks;
+            unsure_ |= shadow.unsure;
+        }
+    }
+
+    void ask(std::uint32_t index, Mask mask) {
+        const Item& item = scene_.items[index];
+        mask &= ~equal(starts_.left, index);
+        if (!item.casts_shadow || mask == 0) return;
+        if (item.kind == Kind::ball) {
+            const Mask own = mask & equal(starts_.item, index);
+            const BallShadow shadow(scene_.balls[item.shape], rays_, mask & ~own, distance_);
+            blocked_ |= shadow.blocks;
+            unsure_ |= shadow.unsure | own;
+        } else {
+            for_each_lane(mask, [&](int i) {
+                if (job_.exact->blocks(index, lane_ray(rays_, i), starts_.lane(i),
+                                       lane(distance_, i)))
+                    blocked_ |= Mask(1) << i;
+            });
+        }
+    }
+
+    const Job& job_;
+    const Scene& scene_;
+    const Rays& rays_;
+    const Starts& starts_;
+    const Numbers& distance_;
+    Mask blocked_ = 0;
+    Mask unsure_ = 0;
+};
+
+}  // namespace lancer::wide::LANCER_LEVEL

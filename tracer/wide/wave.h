@@ -1,0 +1,171 @@
+// Rays in waves: those of the camera, those that they send on, and so on; each wave is traced eight
+// rays at a time, then the light is summed from the last wave back. OpaqueTracer for lanes.
+#pragma once
+
+namespace lancer::wide::LANCER_LEVEL {
+
+/// mirrored()
+LANCER_INLINE Vectors mirrored(const Vectors& d, const Vectors& n) {
+    return normalize(d - all(2.0) * dot(d, n) * n);
+}
+
+LANCER_INLINE Vectors load(const double (*from)[Wave::room], int at) {
+    return {load(from[0] + at), load(from[1] + at), load(from[2] + at)};
+}
+LANCER_INLINE void store(double (*to)[Wave::room], int at, const Vectors& v) {
+    store(to[0] + at, v.x);
+    store(to[1] + at, v.y);
+    store(to[2] + at, v.z);
+}
+LANCER_INLINE void store_packed(double (*to)[Wave::room], int at, Mask mask, const Vectors& v) {
+    store_packed(to[0] + at, mask, v.x);
+    store_packed(to[1] + at, mask, v.y);
+    store_packed(to[2] + at, mask, v.z);
+}
+
+/// The first wave: camera_ray() of rays/camera.h for a camera near the scene, eight rays at a time.
+inline void send_from_camera(const Camera& camera, const double* x, const double* y, int count,
+                             Wave& wave) {
+    const Numbers zero = all(0.0);
+    const Vectors zeros{zero, zero, zero};
+    const Vectors forward = all(camera.forward);
+    const Vectors position = all(camera.position);
+    for (int at = 0; at < count; at += lanes) {
+        const Numbers sx = load(x + at) / all(camera.width) - all(0.5);
+        const Numbers sy = all(0.5) - load(y + at) / all(camera.height);
+        const Vectors aside = sx * all(camera.right) + sy * all(camera.up);
+        const VectorPair origin =
+            camera.orthographic ? two_sum(position, aside) : VectorPair{position, zeros};
+        store(wave.origin, at, origin.hi);
+        store(wave.origin_lo, at, origin.lo);
+        store(wave.dir, at, camera.orthographic ? forward : normalize(forward + aside));
+        store(wave.error + at, zero);
+        store(wave.weight + at, all(1.0));
+        for (int i = at; i < at + lanes; ++i) wave.item[i] = wave.left[i] = nothing;
+    }
+    wave.count = count;
+}
+
+/// Traces the rays of one level from `at` on, eight at most.
+class Packet {
+  public:
+    /// \param next  gets the rays that these send on; null at the last level
+    Packet(Job& job, Wave& wave, Wave* next, int level, int at)
+        : job_(job), scene_(*job.scene), wave_(wave), next_(next), level_(level), at_(at) {}
+
+    void trace() {
+        const int rest = wave_.count - at_;
+        const Mask active = rest >= lanes ? 255U : (1U << rest) - 1;
+        rays_ = make_rays(load(wave_.origin, at_), load(wave_.origin_lo, at_), load(wave_.dir, at_),
+                          load(wave_.error + at_));
+        Starts starts;
+        for (int i = 0; i < lanes; ++i) {
+            starts.item[i] = wave_.item[at_ + i];
+            starts.left[i] = wave_.left[at_ + i];
+            starts.face[i] = wave_.face[at_ + i];
+            starts.entering |= (wave_.entering[at_ + i] ? 1U : 0U) << i;
+        }
+        find_nearest(job_, rays_, starts, active, hits_);
+        for_each_lane(hits_.unsure, [&](int i) { trace_exactly(i, starts); });
+        for_each_lane(active & ~hits_.some & ~hits_.unsure,
+                      [&](int i) { put_color(i, scene_.background); });
+        Mask met = active & hits_.some & ~hits_.unsure;
+        for_each_lane(met, [&](int i) {
+            if (scene_.finishes[scene_.items[hits_.item[i]].material].plain) return;
+            shade_exactly(i);
+            met &= ~(1U << i);
+        });
+        if (met != 0) shade(met);
+    }
+
+  private:
+    void put_color(int i, const double* color) {
+        for (int c = 0; c < 3; ++c) wave_.color[c][at_ + i] = color[c];
+    }
+    void trace_exactly(int i, const Starts& starts) {
+        double color[3];
+        job_.exact->trace(lane_ray(rays_, i), starts.lane(i), wave_.weight[at_ + i], level_, color);
+        put_color(i, color);
+    }
+    void shade_exactly(int i) {
+        double color[3];
+        job_.exact->shade(lane_ray(rays_, i), hits_.lane(i), wave_.weight[at_ + i], level_, color);
+        put_color(i, color);
+    }
+
+    void shade(Mask met) {
+        Surfaces s;
+        make_surfaces(job_, rays_, hits_, met, s);
+        const Vectors mirror = mirrored(rays_.dir, s.normal);
+        const Vectors color = local_color(job_, rays_, hits_, s, mirror, met);
+        store_some(wave_.color[0] + at_, met, color.x);
+        store_some(wave_.color[1] + at_, met, color.y);
+        store_some(wave_.color[2] + at_, met, color.z);
+        send_on(s, mirror, met);
+    }
+
+    /// Puts the mirrored rays into the next wave.
+    void send_on(const Surfaces& s, const Vectors& mirror, Mask met) {
+        if (next_ == nullptr) return;
+        const Numbers factor = max_component(s.reflection);
+        const Numbers weight = load(wave_.weight + at_) * factor;
+        const Mask sent =
+            met & less(all(0.0), factor) & at_most(all(scene_.min_contribution), weight);
+        if (sent == 0) return;
+        job_.counts.reflected += static_cast<std::uint64_t>(__builtin_popcount(sent));
+        Starts starts;
+        set_left(scene_, hits_, s, mirror, sent, starts);
+        Wave& next = *next_;
+        int to = next.count;
+        store_packed(next.origin, to, sent, s.position);
+        store_packed(next.origin_lo, to, sent, s.position_lo);
+        store_packed(next.dir, to, sent, mirror);
+        store_packed(next.mirror, to, sent, s.reflection);
+        store_packed(next.error + to, sent, s.error);
+        store_packed(next.weight + to, sent, weight);
+        for_each_lane(sent, [&](int i) {
+            next.sender[to] = static_cast<std::uint32_t>(at_ + i);
+            next.item[to] = hits_.item[i];
+            next.face[to] = hits_.face[i];
+            next.entering[to] = (hits_.entering >> i & 1) != 0;
+            next.left[to] = starts.left[i];
+            ++to;
+        });
+        next.count = to;
+    }
+
+    Job& job_;
+    const Scene& scene_;
+    Wave& wave_;
+    Wave* const next_;
+    const int level_;
+    const int at_;
+    Rays rays_;
+    NearestHits hits_;
+};
+
+/// TraceRays
+inline void trace_rays(Job& job, const Camera& camera, const double* x, const double* y,
+                       int count) {
+    Wave* wave = job.wave(job.waves, 0);
+    send_from_camera(camera, x, y, count, *wave);
+    job.counts.primary += static_cast<std::uint64_t>(count);
+    const int deepest = job.scene->max_depth;
+    int level = 0;
+    for (;; ++level) {
+        Wave* next = level + 1 < deepest ? job.wave(job.waves, level + 1) : nullptr;
+        if (next != nullptr) next->count = 0;
+        for (int at = 0; at < wave->count; at += lanes) Packet(job, *wave, next, level, at).trace();
+        if (next == nullptr || next->count == 0) break;
+        wave = next;
+    }
+    for (; level > 0; --level) {
+        const Wave& from = *job.wave(job.waves, level);
+        Wave& to = *job.wave(job.waves, level - 1);
+        for (int c = 0; c < 3; ++c)
+            for (int i = 0; i < from.count; ++i)
+                to.color[c][from.sender[i]] += from.mirror[c][i] * from.color[c][i];
+    }
+}
+
+}  // namespace lancer::wide::LANCER_LEVEL

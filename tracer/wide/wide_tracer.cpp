@@ -1,0 +1,214 @@
+#include "tracer/wide/wide_tracer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+#include "tracer/recursion/opaque.h"
+#include "tracer/wide/flat_world.h"
+
+namespace lancer {
+namespace wide {
+
+// Each compiled in a file of its own, with the level's instructions.
+void trace_rays_avx2(Job& job, const Camera& camera, const double* x, const double* y, int count);
+void trace_rays_avx512(Job& job, const Camera& camera, const double* x, const double* y, int count);
+
+namespace {
+
+TraceRays code_of(Level level) {
+#ifdef __x86_64__
+    if (level == Level::avx512) return trace_rays_avx512;
+    if (level == Level::avx2) return trace_rays_avx2;
+#endif
+    assert(level != Level::scalar);
+    return nullptr;
+}
+
+Vec3d vector_of(const double* v) {
+    return {v[0], v[1], v[2]};
+}
+void put(const Vec3d& from, double* to) {
+    for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+Ray<double> ray_of(const LaneRay& r) {
+    return {vector_of(r.origin), vector_of(r.origin_lo), vector_of(r.dir),
+            r.dir_squared,       r.inv_squared,          r.origin_error,
+            r.filter_error,      vector_of(r.inv_dir),   r.whole};
+}
+lancer::Start<double> start_of(const LaneStart& from) {
+    lancer::Start<double> start;
+    if (from.item != none) start.surfaces.push_back({from.item, from.face, from.entering});
+    start.left = from.left;
+    return start;
+}
+Hit<double> hit_of(const LaneHit& h) {
+    return {h.t, h.error, {h.item, h.face, h.entering}, h.u, h.v};
+}
+
+/// The scalar code behind ExactMethods.
+class ScalarMethods final : public ExactMethods {
+  public:
+    ScalarMethods(const World<double>& world, const TraceLimits& limits)
+        : world_(world), tracer_(world, limits) {}
+
+    const RayCounts& counts() const { return tracer_.counts(); }
+
+    void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
+               double* color) override {
+        put(tracer_.trace(ray_of(ray), start_of(start), weight, level), color);
+    }
+
+    void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
+               double* color) override {
+        Contact<double> contact;
+        contact.push_back(hit_of(hit));
+        put(tracer_.shade(ray_of(ray), contact, weight, level), color);
+    }
+
+    void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) override {
+        const Surface<double> s = make_surface(world_, ray_of(ray), hit_of(hit));
+        put(s.position, surface.position);
+        put(s.position_lo, surface.position_lo);
+        put(s.geometric, surface.geometric);
+        put(s.normal, surface.normal);
+        put(s.color, surface.color);
+        surface.error = s.error;
+        surface.opacity = s.opacity;
+    }
+
+    void light(std::size_t index, const double* position, const double* position_lo,
+               LaneLight& light) override {
+        const LightSample<double> at =
+            sample_light(world_.lights[index], vector_of(position), vector_of(position_lo));
+        put(at.direction, light.direction);
+        put(at.color, light.color);
+        light.distance = at.distance;
+    }
+
+    void crossings(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,
+                   const HitSink& sink) override {
+        const Ray<double> ray = ray_of(lane_ray);
+        const lancer::Start<double> start = start_of(lane_start);
+        const NoMedia nowhere;
+        const IntersectionFilter<double, NoMedia> accept(world_, start, nowhere);
+        const auto limit = [&] { return sink.limit(sink.self); };
+        const RayInterval<double, decltype(limit)> interval{0, limit};
+        primitive_crossings(world_, world_.primitives[item], ray, accept.hints(item), interval,
+                            [&](const Crossing<double>& c, double u, double v) {
+                                if (accept(item, c))
+                                    sink.add(sink.self, {accept.met_at(c), c.error, u, v, item,
+                                                         c.face, c.entering});
+                                return false;
+                            });
+    }
+
+    bool blocks(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,
+                double distance) override {
+        const Ray<double> ray = ray_of(lane_ray);
+        const lancer::Start<double> start = start_of(lane_start);
+        const NoMedia nowhere;
+        const IntersectionFilter<double, NoMedia> accept(world_, start, nowhere);
+        OcclusionQuery<double, NoMedia> query{world_, accept, start, distance};
+        query.at = item;
+        const LightInterval<double, NoMedia> limit{query};
+        const RayInterval<double, LightInterval<double, NoMedia>> interval{0, limit};
+        primitive_crossings(world_, world_.primitives[item], ray, query.hints(), interval,
+                            [&](const Crossing<double>& c, double, double) {
+                                if (accept(item, c) && c.t < distance - c.error)
+                                    query.occlusion = Occlusion::blocked;
+                                return query.occlusion == Occlusion::blocked;
+                            });
+        return query.occlusion == Occlusion::blocked;
+    }
+
+    bool is_blocked(const LaneRay& ray, const LaneStart& start, double distance) override {
+        const NoMedia nowhere;
+        return query_occlusion(world_, ray_of(ray), distance, start_of(start), nowhere) ==
+               Occlusion::blocked;
+    }
+
+  private:
+    const World<double>& world_;
+    OpaqueTracer<double> tracer_;
+};
+
+Camera camera_of(const CameraFrame<double>& frame, int width, int height) {
+    Camera camera{};
+    put(frame.position, camera.position);
+    put(frame.forward, camera.forward);
+    put(frame.right, camera.right);
+    put(frame.up, camera.up);
+    camera.orthographic = frame.orthographic;
+    camera.width = width;
+    camera.height = height;
+    return camera;
+}
+
+class LevelTracer final : public WideTracer {
+  public:
+    LevelTracer(const World<double>& world, Scene scene, const TraceLimits& limits, Level level)
+        : scene_(scene), exact_(world, limits), code_(code_of(level)) {
+        scene_.max_depth = limits.max_depth;
+        scene_.min_contribution = limits.min_contribution;
+        job_.scene = &scene_;
+        job_.exact = &exact_;
+        job_.wave = wave;
+        job_.waves = &waves_;
+    }
+
+    void trace(const CameraFrame<double>& frame, int width, int height, RayBatch& batch) override {
+        code_(job_, camera_of(frame, width, height), batch.x.data(), batch.y.data(), batch.count);
+        const auto& color = waves_[0]->color;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
+            batch.color[i] = {color[0][i], color[1][i], color[2][i]};
+    }
+
+    RayCounts counts() const override {
+        RayCounts counts = exact_.counts();
+        counts.primary += job_.counts.primary;
+        counts.shadow += job_.counts.shadow;
+        counts.reflected += job_.counts.reflected;
+        return counts;
+    }
+
+  private:
+    static Wave* wave(void* waves, int level) {
+        auto& all = *static_cast<std::vector<std::unique_ptr<Wave>>*>(waves);
+        const auto index = static_cast<std::size_t>(level);
+        while (all.size() <= index) all.push_back(std::make_unique<Wave>());
+        return all[index].get();
+    }
+
+    Scene scene_;
+    ScalarMethods exact_;
+    TraceRays code_;
+    std::vector<std::unique_ptr<Wave>> waves_;
+    Job job_{};
+};
+
+}  // namespace
+}  // namespace wide
+
+struct WideWorld::Arrays {
+    wide::FlatWorld flat;
+};
+
+WideWorld::WideWorld(const World<double>& world, Level level)
+    : world_(world), level_(level), arrays_(new Arrays{wide::FlatWorld(world)}) {
+    assert(level != Level::scalar && is_supported(level));
+}
+WideWorld::~WideWorld() = default;
+
+bool WideWorld::is_for(const World<double>& world) {
+    return !world.has_media && !world.has_transmission;
+}
+
+std::unique_ptr<WideTracer> WideWorld::tracer(const TraceLimits& limits,
+                                              const CameraFrame<double>& camera) const {
+    if (camera.ahead != 0 || !is_followed(limits, 1.0, 0)) return nullptr;
+    return std::make_unique<wide::LevelTracer>(world_, arrays_->flat.scene(), limits, level_);
+}
+
+}  // namespace lancer

@@ -1,0 +1,61 @@
+// Rays side by side through an opaque world in double: the same light, bit for bit, and the same
+// counts as OpaqueTracer, one more filter in front of it.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "tracer/rays/camera.h"
+#include "tracer/rays/ray_counts.h"
+#include "tracer/rays/trace_limits.h"
+#include "tracer/scene/world.h"
+#include "tracer/wide/level.h"
+
+namespace lancer {
+
+/// Points of the picture, in pixels, that rays are sent through together; neighbours side by side
+/// are fast.
+struct RayBatch {
+    static constexpr int most = 256;
+
+    std::array<double, most + 8> x, y;  ///< whole vectors are read
+    std::array<Vec3d, most> color;      ///< what the rays brought
+    int count = 0;
+};
+
+/// Traces rays through one world. One object per thread: it counts what it does.
+class WideTracer {
+  public:
+    virtual ~WideTracer() = default;
+
+    /// \param width, height  of the whole picture
+    virtual void trace(const CameraFrame<double>& camera, int width, int height,
+                       RayBatch& batch) = 0;
+    virtual RayCounts counts() const = 0;
+};
+
+/// What wide code reads of a world, beside the world.
+class WideWorld {
+  public:
+    /// \param level  not `scalar`, and supported
+    WideWorld(const World<double>& world, Level level);
+    ~WideWorld();
+
+    /// Whether the level's code knows worlds like this one: nothing lets light pass.
+    static bool is_for(const World<double>& world);
+
+    Level level() const { return level_; }
+
+    /// Null where rays go one by one: from a camera far from the scene.
+    std::unique_ptr<WideTracer> tracer(const TraceLimits& limits,
+                                       const CameraFrame<double>& camera) const;
+
+  private:
+    struct Arrays;
+
+    const World<double>& world_;
+    const Level level_;
+    std::unique_ptr<const Arrays> arrays_;
+};
+
+}  // namespace lancer
