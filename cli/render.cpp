@@ -84,6 +84,17 @@ Level parse_level(const std::string& text) {
     throw UsageError("'" + text + "' is no level: expected scalar, avx2 or avx512");
 }
 
+void add_error_options(CLI::App& app, RenderJob& job) {
+    const char* group = "Error";
+    add_number(app, "--max-error", job.error.max_error, 1e-6, 1,
+               "Sample until the error (RMSE, linear light) is below E, and tell it")
+        ->type_name("E")
+        ->group(group);
+    app.add_flag("--no-audit", job.error.no_audit,
+                 "With --max-error: no rays beside those of the picture, and no interval")
+        ->group(group);
+}
+
 }  // namespace
 
 void add_render(CLI::App& app, Action& action) {
@@ -102,7 +113,7 @@ void add_render(CLI::App& app, Action& action) {
             "Rays side by side: scalar, avx2 or avx512; the fastest by default. The picture is the "
             "same")
         ->type_name("NAME");
-    add_not_yet(command, "--max-error", "E", "Sample until the error is below E");
+    add_error_options(command, *job);
     add_not_yet(command, "--time", "S", "The best picture within S seconds");
     add_scene_options(command, job->scene_options);
     command.callback(

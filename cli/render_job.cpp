@@ -20,6 +20,18 @@ namespace {
 /// one by one.
 constexpr std::uint64_t most_frames_known = 100'000;
 
+/// Options that contradict each other.
+void check_options(const RenderJob& job) {
+    if (!job.error.max_error) {
+        if (job.error.no_audit) throw UsageError("--no-audit needs --max-error");
+        return;
+    }
+    if (job.settings.samples)
+        throw UsageError("--max-error chooses the samples: leave --samples out");
+    if (job.settings.sampling == Sampling::grid)
+        throw UsageError("--max-error samples at sobol points, not on a grid");
+}
+
 /// What can be said of the output's name before any work.
 void check_format(const RenderJob& job, const std::string& output) {
     std::error_code ignored;
@@ -76,7 +88,8 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     if (job.preview) make_coarser(view);
     const int width = view.crop ? view.crop->width : view.width;
     const int height = view.crop ? view.crop->height : view.height;
-    const int channels = job.aov ? 9 : 3;
+    constexpr int sampled = 20;  // sums, scores and predictions, counted as channels
+    const int channels = (job.aov ? 9 : 3) + (job.error.max_error ? sampled : 0);
     const std::uint64_t needed = picture_bytes(width, height, channels);
     if (needed > available_memory()) {
         const std::string message =
@@ -101,27 +114,15 @@ class Rendering {
         progress_.clear();  // the script may print
         Scene scene = loader_.load(frame, time);
         if (job_.preview) scene.settings.samples = 1;
-        job_.settings.apply_to(scene.settings);
         const View view = view_of(job_, scene, session_);
         if (statistics_.frames == 0) session_.terminal.show(missing_parts(scene), session_.sources);
 
-        Stopwatch watch;
-        const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings, job_.level);
-        statistics_.build += watch.seconds();
-        statistics_.threads = scene.settings.threads;
-        statistics_.level = name_of(renderer->level());
-
-        watch = {};
-        RayCounts rays;
         progress_.begin_part(statistics_.frames);
-        const Image image = renderer->render(
-            view, [this](double share) { progress_.update(share); }, rays);
-        statistics_.count(scene, renderer->counts());  // after: patches are cut when rays ask
-        statistics_.trace += watch.seconds();
-        statistics_.add(rays);
-
-        watch = {};
-        io::write_image(output, image, job_.image);
+        io::ImageWriteOptions written = job_.image;
+        const Image image =
+            job_.error.max_error ? image_to_error(scene, view, written) : image_as_set(scene, view);
+        const Stopwatch watch;
+        io::write_image(output, image, written);
         statistics_.write += watch.seconds();
         ++statistics_.frames;
         width_ = image.width;
@@ -139,10 +140,56 @@ class Rendering {
         if (!job_.quiet && !io::is_stream(job_.output)) {
             session_.output.say(
                 fmt::format("{} ({}x{}) in {:.2f} s\n", what, width_, height_, statistics_.total));
+            if (statistics_.error)
+                session_.output.say(fmt::format("{}\n", error_line(*statistics_.error)));
         }
     }
 
+    ExitCode code() const {
+        return statistics_.error && !statistics_.error->is_reached() ? ExitCode::differs
+                                                                     : ExitCode::done;
+    }
+
   private:
+    Progress shown() {
+        return [this](double share) { progress_.update(share); };
+    }
+
+    /// With the samples that the settings say.
+    Image image_as_set(Scene& scene, const View& view) {
+        job_.settings.apply_to(scene.settings);
+        Stopwatch watch;
+        const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings, job_.level);
+        statistics_.build += watch.seconds();
+        statistics_.threads = scene.settings.threads;
+        statistics_.level = name_of(renderer->level());
+        watch = {};
+        RayCounts rays;
+        Image image = renderer->render(view, shown(), rays);
+        statistics_.count(scene, renderer->counts());  // after: patches are cut when rays ask
+        statistics_.trace += watch.seconds();
+        statistics_.add(rays);
+        return image;
+    }
+
+    /// With the samples that the error asks for.
+    Image image_to_error(const Scene& scene, const View& view, io::ImageWriteOptions& written) {
+        const Stopwatch watch;
+        ErrorRun run = render_to_error(scene, job_.settings, job_.error, job_.level, view, shown());
+        statistics_.build += run.build_seconds;
+        statistics_.trace += watch.seconds() - run.build_seconds;
+        statistics_.count(scene, run.world);
+        statistics_.level = name_of(run.level);
+        Settings settings = scene.settings;
+        job_.settings.apply_to(settings);
+        statistics_.threads = settings.threads;
+        for (const RayCounts& rays : {run.report.picture, run.report.deciding, run.report.printed})
+            statistics_.add(rays);
+        written.notes = error_notes(run.report);
+        statistics_.keep_worse(run.report);
+        return std::move(run.image);
+    }
+
     static std::size_t frame_count(const RenderJob& job) {
         return job.frames ? static_cast<std::size_t>(job.frames->count()) : 1;
     }
@@ -162,6 +209,7 @@ class Rendering {
 ExitCode run(const RenderJob& job, Session& session) {
     const std::string output =
         job.output.empty() ? default_output(job.scene, job.preview) : job.output;
+    check_options(job);
     check_format(job, output);
     if (!job.frames) {
         session.will_write(output, "-o");
@@ -169,7 +217,7 @@ ExitCode run(const RenderJob& job, Session& session) {
         Rendering rendering(job, session);
         rendering.render(0, 0, output);
         rendering.finish("wrote " + output);
-        return ExitCode::done;
+        return rendering.code();
     }
     const FrameNames names(output);
     const FrameRange& frames = *job.frames;
@@ -187,7 +235,7 @@ ExitCode run(const RenderJob& job, Session& session) {
     }
     rendering.finish(fmt::format("wrote {} pictures, {} to {}", frames.count(),
                                  names.name(frames.first), names.name(frames.last)));
-    return ExitCode::done;
+    return rendering.code();
 }
 
 }  // namespace lancer::cli

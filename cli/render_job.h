@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/arguments.h"
+#include "cli/error_job.h"
 #include "cli/scene_loader.h"
 #include "cli/session.h"
 #include "cli/settings_options.h"
@@ -29,9 +30,11 @@ struct RenderJob {
     io::ImageWriteOptions image;
     SceneOptions scene_options;
     SettingsOptions settings;
+    ErrorOptions error;
 };
 
-/// Renders all pictures and writes them. Throws UsageError, SceneRejected, SceneError, FileError.
+/// Renders all pictures and writes them. ExitCode::differs when one has not the error that was
+/// asked for. Throws UsageError, SceneRejected, SceneError, FileError.
 ExitCode run(const RenderJob& job, Session& session);
 
 }  // namespace lancer::cli

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace lancer::cli {
 namespace {
@@ -12,6 +13,19 @@ double rays_per_second(const Statistics& s) {
     const std::uint64_t rays =
         s.rays.primary + s.rays.shadow + s.rays.reflected + s.rays.transmitted;
     return s.trace > 0 ? static_cast<double>(rays) / s.trace : 0;
+}
+
+/// What is not told is null.
+nlohmann::ordered_json error_json(const accuracy::ErrorReport& r) {
+    const auto if_told = [&](double value) {
+        return r.is_told ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+    };
+    return {{"rmse", if_told(r.error.rmse)},     {"low", if_told(r.error.low)},
+            {"high", if_told(r.error.high)},     {"asked", r.asked},
+            {"audit_rays", r.printed.primary},   {"deciding_rays", r.deciding.primary},
+            {"picture_rays", r.picture.primary}, {"predicted", r.predicted},
+            {"max_depth", r.limits.max_depth},   {"min_contribution", r.limits.min_contribution},
+            {"reached", r.is_reached()}};
 }
 
 }  // namespace
@@ -31,6 +45,13 @@ void Statistics::count(const Scene& scene, const WorldCounts& counts) {
     textures = scene.textures.size();
 }
 
+void Statistics::keep_worse(const accuracy::ErrorReport& report) {
+    const auto badness = [](const accuracy::ErrorReport& r) {
+        return std::pair(!r.is_reached(), r.audited ? r.error.rmse : r.predicted);
+    };
+    if (!error || badness(report) > badness(*error)) error = report;
+}
+
 std::uint64_t peak_memory_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -38,7 +59,7 @@ std::uint64_t peak_memory_bytes() {
 }
 
 std::string to_json(const Statistics& s) {
-    const nlohmann::ordered_json json{
+    nlohmann::ordered_json json{
         {"seconds",
          {{"parse", s.parse},
           {"evaluate", s.evaluate},
@@ -66,6 +87,7 @@ std::string to_json(const Statistics& s) {
           {"materials", s.materials},
           {"textures", s.textures}}},
     };
+    if (s.error) json["error"] = error_json(*s.error);
     return json.dump(2) + "\n";
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "accuracy/error_target.h"
 #include "model/scene.h"
 #include "tracer/render.h"
 
@@ -25,7 +27,10 @@ struct Statistics {
     std::uint64_t cameras = 0;
     std::uint64_t materials = 0;
     std::uint64_t textures = 0;
+    std::optional<accuracy::ErrorReport> error;  ///< of the frame that fared worst
 
+    /// Keeps the report unless the one that is there is worse.
+    void keep_worse(const accuracy::ErrorReport& report);
     void add(const RayCounts& counts);
     void count(const Scene& scene, const WorldCounts& counts);
 };

@@ -3,6 +3,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "model/image.h"
 
@@ -11,6 +13,8 @@ namespace lancer::io {
 struct ImageWriteOptions {
     int bits = 8;         ///< 8 or 16, for formats of whole numbers (PNG, TIFF, PPM)
     bool linear = false;  ///< whole-number formats: no sRGB curve
+    /// Names and values to stand in a PNG, as text "lancer:NAME". Other formats hold none.
+    std::vector<std::pair<std::string, std::string>> notes{};
 };
 
 /// True when `path` ends in a format that can be written: png exr hdr tif tiff jpg jpeg ppm; or is

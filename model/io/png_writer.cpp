@@ -20,8 +20,23 @@ struct Writer {
     std::string row;
     Quantizer quantizer;
     std::string message;
+    std::vector<std::string> words;  ///< keys and values in turn
+    std::vector<png_text> texts;     ///< that point to them
 
-    explicit Writer(const ImageWriteOptions& options) : quantizer(options.bits, options.linear) {}
+    explicit Writer(const ImageWriteOptions& options) : quantizer(options.bits, options.linear) {
+        for (const auto& [name, value] : options.notes) {
+            words.push_back("lancer:" + name);
+            words.push_back(value);
+        }
+        for (std::size_t i = 0; i < words.size(); i += 2) {
+            png_text text{};
+            text.compression = PNG_TEXT_COMPRESSION_NONE;
+            text.key = words[i].data();
+            text.text = words[i + 1].data();
+            text.text_length = words[i + 1].size();
+            texts.push_back(text);
+        }
+    }
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
     ~Writer() { png_destroy_write_struct(&png, &info); }
@@ -78,6 +93,9 @@ bool write(Writer& writer, const Image& image, int channels, const ImageWriteOpt
     } else {
         png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     }
+    if (!writer.texts.empty())
+        png_set_text(writer.png, writer.info, writer.texts.data(),
+                     static_cast<int>(writer.texts.size()));
     png_write_info(writer.png, writer.info);
     for (int y = 0; y < image.height; ++y) {
         fill_row(writer, image, y, channels, options.bits);

@@ -274,7 +274,7 @@ TEST_F(Render, WrongUseIsToldApart) {
                                                {"--tolerance", "0"},
                                                {"--precision", "half"},
                                                {"--level", "mmx"},
-                                               {"--max-error", "0.1"},
+                                               {"--max-error", "2"},
                                                {"--time", "5"},
                                                {"--limit-calls", "0"},
                                                {"-o"},

@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path root = LANCER_SOURCE_DIR;
-const std::vector<std::string> libraries{"base", "model", "parser", "tracer", "reference", "judge"};
+const std::vector<std::string> libraries{"base",     "model",     "parser", "tracer",
+                                         "accuracy", "reference", "judge"};
 
 struct SourceFile {
     std::string path;    ///< from the project's root
@@ -69,14 +70,15 @@ TEST(Structure, FoldersIncludeOnlyWhatTheArrowsAllow) {
         {"model", {"model", "base"}},
         {"parser", {"parser", "model", "base"}},
         {"tracer", {"tracer", "model", "base"}},
+        {"accuracy", {"accuracy", "model", "base", "tracer/render.h"}},
         {"reference", {"reference", "model", "base"}},
         {"judge", {"judge", "reference", "model", "base", "tracer/render.h"}},
-        {"cli", {"cli", "base", "model", "parser", "tracer", "reference", "judge"}},
+        {"cli", {"cli", "base", "model", "parser", "tracer", "accuracy", "reference", "judge"}},
     };
     std::vector<std::string> broken;
     std::size_t seen = 0;
-    for (const SourceFile& file :
-         sources_of({"base", "model", "parser", "tracer", "reference", "judge", "cli"})) {
+    for (const SourceFile& file : sources_of(
+             {"base", "model", "parser", "tracer", "accuracy", "reference", "judge", "cli"})) {
         for (std::size_t i = 0; i < file.lines.size(); ++i) {
             const std::string name = included_by(file.lines[i]);
             if (name.empty() || name.front() != '"') continue;
@@ -161,8 +163,8 @@ TEST(Structure, LibraryHeadersStopInTheirFolder) {
         R"re(<((sys|linux|asm)/.*|(unistd|fcntl|signal|pthread|dlfcn|spawn|sched|poll)\.h|)re"
         R"re(\w*intrin\.h|cpuid\.h))re");
     std::vector<std::string> broken;
-    for (const SourceFile& file :
-         sources_of({"base", "model", "parser", "tracer", "reference", "judge", "cli"})) {
+    for (const SourceFile& file : sources_of(
+             {"base", "model", "parser", "tracer", "accuracy", "reference", "judge", "cli"})) {
         for (std::size_t i = 0; i < file.lines.size(); ++i) {
             const std::string name = included_by(file.lines[i]);
             if (!name.starts_with('<') || name.find_first_of("./") == std::string::npos) continue;
@@ -197,8 +199,8 @@ TEST(Structure, LibrariesNeitherPrintNorExit) {
 
 TEST(Structure, NoFileIsTooLong) {
     std::vector<std::string> broken;
-    for (const SourceFile& file :
-         sources_of({"base", "model", "parser", "tracer", "reference", "judge", "cli", "tests"})) {
+    for (const SourceFile& file : sources_of({"base", "model", "parser", "tracer", "accuracy",
+                                              "reference", "judge", "cli", "tests"})) {
         if (file.lines.size() > (file.folder == "tests" ? 500u : 400u))
             broken.push_back(file.path + ": " + std::to_string(file.lines.size()) + " lines");
     }
@@ -207,8 +209,8 @@ TEST(Structure, NoFileIsTooLong) {
 
 TEST(Structure, EveryHeaderIsGuardedAndSaysWhatItIsFor) {
     std::vector<std::string> broken;
-    for (const SourceFile& file :
-         sources_of({"base", "model", "parser", "tracer", "reference", "judge", "cli"})) {
+    for (const SourceFile& file : sources_of(
+             {"base", "model", "parser", "tracer", "accuracy", "reference", "judge", "cli"})) {
         if (!file.path.ends_with(".h")) continue;
         const bool says = !file.lines.empty() && file.lines.front().starts_with("//");
         const bool once =
@@ -220,8 +222,8 @@ TEST(Structure, EveryHeaderIsGuardedAndSaysWhatItIsFor) {
 
 TEST(Structure, EverySourceIsListedInItsFoldersBuildFile) {
     std::vector<std::string> broken;
-    for (const SourceFile& file :
-         sources_of({"base", "model", "parser", "tracer", "reference", "judge", "cli", "tests"})) {
+    for (const SourceFile& file : sources_of({"base", "model", "parser", "tracer", "accuracy",
+                                              "reference", "judge", "cli", "tests"})) {
         if (!file.path.ends_with(".cpp")) continue;
         // The nearest build file at or above the source's folder.
         fs::path folder = (root / file.path).parent_path();

@@ -1,0 +1,84 @@
+// How wrong a picture is, measured by rays that never enter it.
+//
+// For a pixel of any value m and two independent unbiased estimates y1, y2 of its true value mu,
+// the product (m - y1)(m - y2) has the mean (m - mu)^2: an estimate of the squared error that no
+// choice made on the way to m can spoil. Pixels are drawn with probabilities that follow the
+// predicted errors, and each counts by the inverse of its own.
+// Adaptive sampling spoils estimates from its own samples: Kirk and Arvo, "Unbiased sampling
+// techniques for image synthesis", SIGGRAPH 1991. Systematic draws and their weights: Cochran,
+// "Sampling Techniques", 3rd ed. 1977, ch. 8 and 9A.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "accuracy/draw_shares.h"
+#include "accuracy/samples.h"
+
+namespace lancer::accuracy {
+
+/// What the picture is judged by: a renderer and limits that cut nothing which matters.
+struct Truth {
+    const Renderer& renderer;
+    TraceLimits limits;
+};
+
+struct AuditPlan {
+    int draws = 1000;
+    /// Audits of different numbers are independent of each other and of the picture.
+    std::uint64_t number = 0;
+    DrawShares shares = first_shares;
+};
+
+/// A pixel of the whole picture, and its share of something.
+struct PixelShare {
+    int x = 0;
+    int y = 0;
+    double share = 0;
+};
+
+struct Audit {
+    /// One a draw; each has the picture's mean squared error (over pixels and channels) as its
+    /// mean.
+    std::vector<double> terms;
+    std::vector<std::size_t> pixels;  ///< that were drawn, index into Samples::pixels()
+    std::vector<SeenDraw> seen;       ///< for best_shares()
+    RayCounts rays;
+};
+
+/// \param predicted  squared errors to draw by, one a pixel; see Prediction::errors
+Audit audit(const Truth& truth, const Samples& samples, std::span<const double> predicted,
+            const AuditPlan& plan, const Progress& progress);
+
+/// A root mean squared error with its interval of 95 %.
+struct ErrorEstimate {
+    double mean_square = 0;     ///< may be negative by chance
+    double standard_error = 0;  ///< of mean_square
+    double rmse = 0;            ///< 0 when mean_square is not positive
+    double low = 0;
+    double high = 0;
+    double effective_draws = 0;  ///< as many equal ones would tell as much
+    bool all_zero = false;       ///< no draw found a difference beyond rounding
+
+    /// Half the interval's width, as a share of rmse.
+    double half_width() const { return rmse > 0 ? (high - low) / 2 / rmse : 0; }
+    /// Standard error of the logarithm of mean_square.
+    double log_error() const { return mean_square > 0 ? standard_error / mean_square : 0; }
+};
+
+/// The interval is exp(+-1.96 S/T) around the mean square T with standard error S.
+ErrorEstimate estimate(std::span<const double> terms);
+
+/// The mean square of `terms` with an interval as wide, for their number, as they and `earlier`
+/// ones of the same distribution say together. Where few draws carry the sum, low sums come with
+/// little spread; those of others do not know that these are low.
+ErrorEstimate estimate(std::span<const double> terms, std::span<const double> earlier);
+
+/// The pixels that `audit` owes most of its result to, largest first, with their shares of the sum
+/// of squared terms.
+std::vector<PixelShare> dominant_pixels(const Audit& audit, const Samples& samples,
+                                        std::size_t most);
+
+}  // namespace lancer::accuracy

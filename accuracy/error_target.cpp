@@ -1,0 +1,287 @@
+#include "accuracy/error_target.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "accuracy/allocation.h"
+#include "accuracy/prediction.h"
+#include "accuracy/rare_light.h"
+#include "model/elementary.h"
+
+namespace lancer::accuracy {
+namespace {
+
+constexpr double sampling_share = 0.9;  // of the squared error; the rest is for limits
+constexpr std::uint32_t base = 2;       // samples a pixel: one alone says nothing of its error
+constexpr double first_aim = 4;         // times the goal's square: where the first audit is taken
+constexpr int first_draws = 600;
+constexpr int most_rounds = 6;
+constexpr double most_log_error = 0.3;
+// In standard errors of log T. An audit that decides must say that its true value lies so far
+// below the goal that the one that is printed will say so too; the aim is a little further off.
+constexpr double deciding_margin = 3;
+constexpr double aimed_margin = 4.3;
+// An error is told when audits that decide say that a half-width of 11 % can be had, by as many
+// draws as carry it.
+constexpr double told_log_error = 0.125;
+constexpr double least_effective = 60;
+
+/// Draws of the largest audit. In a small picture, more would cost more than more samples.
+int most_draws(const Samples& samples) {
+    const std::uint64_t most =
+        std::max<std::uint64_t>(samples.size() / 4, samples.rays().primary / 32);
+    return static_cast<int>(std::clamp<std::uint64_t>(most, 1000, 16000));
+}
+
+class Search {
+  public:
+    Search(const Renderer& renderer, const Truth& truth, const View& view, const ErrorGoal& goal,
+           const Progress& progress)
+        : truth_(truth), view_(view), goal_(goal), progress_(progress) {
+        report_.asked = goal.max_error;
+        report_.limits =
+            cheapest_limits(truth, view, goal.fixed, (1 - sampling_share) * square(goal.max_error),
+                            goal.seed, report_.deciding);
+        check_settings(renderer);
+        samples_.emplace(renderer, view_, report_.limits, goal.seed);
+        most_rays_ = static_cast<std::uint64_t>(goal.most_rays_per_pixel *
+                                                static_cast<double>(samples_->size()));
+    }
+
+    ErrorPicture run() {
+        begin();
+        if (goal_.audited) {
+            decide();
+            print();
+        } else {
+            refine_to(sampling_share * square(goal_.max_error) - bias_);
+        }
+        return result();
+    }
+
+  private:
+    static double square(double x) { return x * x; }
+    Progress pace() const {
+        if (!progress_) return {};
+        return [this](double) {
+            progress_(std::min(
+                0.99, static_cast<double>(samples_->rays().primary) / std::max(1.0, expected_)));
+        };
+    }
+
+    /// What the user has fixed may cost more than all that is asked for.
+    void check_settings(const Renderer& renderer) {
+        if (!goal_.leaves_out && !goal_.fixed.max_depth && !goal_.fixed.min_contribution) return;
+        const ErrorEstimate cut =
+            bias(renderer, report_.limits, truth_, view_, goal_.seed, report_.deciding);
+        bias_ = std::max(0.0, cut.mean_square);
+        if (cut.mean_square - 2 * cut.standard_error > square(goal_.max_error)) {
+            throw Unreachable(fmt::format(
+                "an error of {} cannot be reached with these settings: what they leave out costs "
+                "an RMSE of {:.2g} by itself",
+                goal_.max_error, cut.rmse));
+        }
+        bias_ = std::min(bias_, square(goal_.max_error) / 2);
+    }
+
+    void begin() {
+        expected_ = base * static_cast<double>(samples_->size());
+        samples_->raise(std::vector<std::uint32_t>(samples_->size(), base), pace());
+        rare_.emplace(*samples_);
+        prediction_.score(*samples_);
+        const double target = sampling_share * square(goal_.max_error) - bias_;
+        if (rays_for(*samples_, prediction_, target) <= goal_.most_rays_per_pixel) return;
+        const double reachable =
+            std::sqrt((mean_square_for(*samples_, prediction_, goal_.most_rays_per_pixel) + bias_) /
+                      sampling_share);
+        throw Unreachable(fmt::format(
+            "an error of {} needs more than {} rays a pixel in this scene; about {:.2g} "
+            "can be reached",
+            goal_.max_error, goal_.most_rays_per_pixel, reachable));
+    }
+
+    bool refine_to(double mean_square) {
+        expected_ =
+            rays_for(*samples_, prediction_, mean_square) * static_cast<double>(samples_->size());
+        return refine(*samples_, prediction_, mean_square, most_rays_, pace());
+    }
+
+    Audit audited(int draws, RayCounts& rays) {
+        Audit a = audit(truth_, *samples_, prediction_.errors(*samples_),
+                        {draws, audits_++, shares_}, {});
+        rays += a.rays;
+        return a;
+    }
+
+    /// An audit that decides: larger ones, drawn by what the smaller have found, until enough draws
+    /// carry it.
+    ErrorEstimate judged() {
+        const int most = most_draws(*samples_);
+        for (;;) {
+            judge_ = audited(draws_, report_.deciding);
+            const ErrorEstimate e = estimate(judge_.terms);
+            if (e.all_zero || e.effective_draws >= least_effective || draws_ >= most) return e;
+            draws_ = std::min(most, 2 * draws_);
+            shares_ = best_shares(judge_.seen);
+        }
+    }
+
+    void correct(const ErrorEstimate& e) {
+        const double predicted = prediction_.mean_square(*samples_);
+        if (predicted <= 0) return;
+        prediction_.kappa *= std::clamp((e.mean_square - bias_) / predicted, 0.2, 4.0);
+    }
+
+    /// Of the logarithm of what an audit of so many draws will find, from one of others.
+    static double log_error(const ErrorEstimate& e, int draws, int of_draws) {
+        if (e.mean_square <= 0) return most_log_error;
+        return std::min(most_log_error, e.log_error() * std::sqrt(double(draws) / of_draws));
+    }
+
+    double aim(double log_error) const {
+        return square(goal_.max_error) * elementary::exp(-aimed_margin * log_error) - bias_;
+    }
+
+    /// Larger audits cost rays, and save some: the surer they are, the nearer to the goal the
+    /// picture may stop.
+    int best_draws(const ErrorEstimate& first, std::uint64_t rays_of_first) const {
+        const double pixels = static_cast<double>(samples_->size());
+        const RayCounts& so_far = samples_->rays();
+        const double per_sample =
+            static_cast<double>(so_far.rays()) / static_cast<double>(so_far.primary);
+        int best = 0;
+        double least = 0;
+        const int most = most_draws(*samples_);
+        for (int draws = 1000;; draws = std::min(most, draws * 7 / 5)) {
+            const bool last = draws == most;
+            if (log_error(first, first_draws, draws) > told_log_error && !last) continue;
+            const double target = aim(log_error(first, first_draws, draws));
+            const double cost =
+                (target > 0 ? rays_for(*samples_, prediction_, target) * pixels * per_sample
+                            : goal_.most_rays_per_pixel * pixels) +
+                2.0 * draws / first_draws * static_cast<double>(rays_of_first);
+            if (best == 0 || cost < least) {
+                best = draws;
+                least = cost;
+            }
+            if (last) return best;
+        }
+    }
+
+    void decide() {
+        refine_to(first_aim * square(goal_.max_error));
+        const std::uint64_t before = report_.deciding.rays();
+        judge_ = audited(first_draws, report_.deciding);
+        ErrorEstimate e = estimate(judge_.terms);
+        draws_ = 1000;
+        double expected_error = 0;
+        if (!e.all_zero) {  // which would correct nothing
+            correct(e);
+            shares_ = best_shares(judge_.seen);
+            draws_ = best_draws(e, report_.deciding.rays() - before);
+            expected_error = log_error(e, first_draws, draws_);
+        }
+        for (int round = 0; round < most_rounds; ++round) {
+            const double target = aim(expected_error);
+            const bool refined = target > 0 && refine_to(target);
+            if (misses_rare_light()) return;
+            e = judged();
+            expected_error = log_error(e, draws_, draws_);
+            if (!refined || is_below(e, deciding_margin)) break;
+            correct(e);
+            shares_ = best_shares(judge_.seen);
+        }
+        // As many as a told interval takes, by what the last audit says.
+        const double needed = draws_ * std::max(1.0, square(e.log_error() / told_log_error));
+        report_.effective_draws = e.effective_draws;
+        report_.dominant = dominant_pixels(judge_, *samples_, 3);
+        report_.is_told = e.effective_draws >= least_effective && needed <= most_draws(*samples_);
+        if (report_.is_told) draws_ = static_cast<int>(needed);
+    }
+
+    /// Single rays met light that others must have missed: no audit can tell how much.
+    bool misses_rare_light() {
+        const RareLight::Missed missed = rare_->missed(*samples_);
+        if (!missed.forbids(goal_.max_error)) return false;
+        report_.rare_light = true;
+        report_.dominant = missed.pixels;
+        return true;
+    }
+
+    bool is_below(const ErrorEstimate& e, double margin) const {
+        if (e.all_zero) return true;
+        if (e.mean_square <= 0) return false;
+        return e.mean_square * elementary::exp(margin * e.log_error()) <= square(goal_.max_error);
+    }
+
+    /// Where nothing can be told, nothing is printed, and no rays are spent on it.
+    void print() {
+        report_.audited = true;
+        const bool found_none = !report_.rare_light && estimate(judge_.terms).all_zero;
+        if (!report_.is_told && !found_none) return;
+        const Audit last = audited(draws_, report_.printed);
+        report_.error = estimate(last.terms, judge_.terms);
+        if (!found_none) return;
+        report_.effective_draws = report_.error.effective_draws;
+        report_.dominant = dominant_pixels(last, *samples_, 3);
+    }
+
+    ErrorPicture result() {
+        ErrorPicture picture;
+        picture.image = samples_->image();
+        const double mean_square = prediction_.mean_square(*samples_);
+        double scores = 0;
+        for (std::size_t i = 0; i < samples_->size(); ++i) {
+            const std::uint32_t n = samples_->pixels()[i].count;
+            picture.counts.push_back(n);
+            picture.errors.push_back(std::sqrt(prediction_.of(i, n) / 3));
+            scores += prediction_.of(i, 1);
+        }
+        const double pixels = static_cast<double>(samples_->size());
+        report_.predicted = std::sqrt(mean_square);
+        report_.picture = samples_->rays();
+        report_.rays_per_pixel = static_cast<double>(report_.picture.primary) / pixels;
+        if (mean_square > 0)
+            report_.even_rays_per_pixel =
+                elementary::pow(scores / (3 * pixels * mean_square), 2.0 / 3);
+        picture.report = report_;
+        return picture;
+    }
+
+    const Truth& truth_;
+    const View view_;
+    const ErrorGoal& goal_;
+    const Progress& progress_;
+    ErrorReport report_;
+    std::optional<Samples> samples_;
+    Prediction prediction_;
+    std::optional<RareLight> rare_;
+    double bias_ = 0;  ///< mean squared error that no samples remove
+    std::uint64_t most_rays_ = 0;
+    std::uint64_t audits_ = 0;
+    int draws_ = 0;
+    DrawShares shares_ = first_shares;
+    Audit judge_;          ///< the last that decided
+    double expected_ = 0;  ///< samples of the whole picture, for progress
+};
+
+}  // namespace
+
+bool ErrorReport::is_flat() const {
+    constexpr double nearly_none = 0.1;  // far below where refining stops, far above rounding
+    return audited && error.all_zero && !rare_light && predicted <= nearly_none * asked;
+}
+
+bool ErrorReport::is_reached() const {
+    if (!audited) return predicted <= asked;
+    return !rare_light && (is_flat() || (is_told && error.high <= asked));
+}
+
+ErrorPicture render_to_error(const Renderer& renderer, const Truth& truth, const View& view,
+                             const ErrorGoal& goal, const Progress& progress) {
+    return Search(renderer, truth, view, goal, progress).run();
+}
+
+}  // namespace lancer::accuracy

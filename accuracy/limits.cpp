@@ -1,0 +1,126 @@
+#include "accuracy/limits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/sobol.h"
+
+namespace lancer::accuracy {
+namespace {
+
+constexpr std::uint64_t limits_stream = 1;  // of a pixel that is none
+constexpr std::uint64_t bias_stream = 2;
+
+Crop part_of(const View& view) {
+    return view.crop.value_or(Crop{0, 0, view.width, view.height});
+}
+
+/// Points spread evenly over the picture, in the order in which a picture's pixels stand.
+std::vector<PicturePoint> spread_points(const View& view, std::uint32_t count, std::uint64_t seed) {
+    const Crop part = part_of(view);
+    const SobolPoints sequence(pixel_key(seed, -2, -2, limits_stream));
+    std::vector<PicturePoint> points;
+    for (std::uint32_t i = 0; i < count; ++i)
+        points.push_back(
+            {part.x + sequence[i].x * part.width, part.y + sequence[i].y * part.height});
+    std::sort(points.begin(), points.end(), [](const PicturePoint& a, const PicturePoint& b) {
+        const auto band = [](double y) { return std::floor(y / 16); };
+        if (band(a.y) != band(b.y)) return band(a.y) < band(b.y);
+        return a.x < b.x;
+    });
+    return points;
+}
+
+/// The mean squared difference over channels, with twice its standard error on top.
+double difference(const std::vector<Color>& a, const std::vector<Color>& b) {
+    const double n = static_cast<double>(a.size());
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Color d = a[i] - b[i];
+        sum += dot(d, d) / 3;
+        squares += dot(d, d) / 3 * (dot(d, d) / 3);
+    }
+    const double mean = sum / n;
+    return mean + 2 * std::sqrt(std::max(0.0, squares / n - mean * mean) / n);
+}
+
+}  // namespace
+
+TraceLimits limits_of_truth(double error) {
+    return {64, error / 100};
+}
+
+TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLimits& fixed,
+                            double mean_square, std::uint64_t seed, RayCounts& rays) {
+    TraceLimits best = truth.limits;
+    if (fixed.max_depth) best.max_depth = *fixed.max_depth;
+    if (fixed.min_contribution) best.min_contribution = *fixed.min_contribution;
+    if (fixed.max_depth && fixed.min_contribution) return best;
+
+    const Crop part = part_of(view);
+    const std::int64_t pixels = std::int64_t(part.width) * part.height;
+    const auto count = static_cast<std::uint32_t>(std::clamp<std::int64_t>(pixels / 64, 512, 4096));
+    const std::vector<PicturePoint> points = spread_points(view, count, seed);
+    const auto colors_at = [&](const TraceLimits& limits, RayCounts& counted) {
+        std::vector<Color> colors(points.size());
+        truth.renderer.trace(view, points, limits, colors, {}, counted);
+        return colors;
+    };
+    RayCounts counted;
+    const std::vector<Color> right = colors_at(best, counted);
+    rays += counted;
+    if (counted.reflected + counted.transmitted == 0) return best;  // nothing to cut
+
+    if (!fixed.max_depth) {
+        for (const int depth : {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48}) {
+            const TraceLimits shallow{depth, best.min_contribution};
+            if (difference(colors_at(shallow, rays), right) > mean_square / 2) continue;
+            best = shallow;
+            break;
+        }
+    }
+    if (!fixed.min_contribution) {
+        for (const double factor : {100.0, 50.0, 20.0, 10.0, 5.0, 2.0}) {
+            const TraceLimits coarse{best.max_depth, truth.limits.min_contribution * factor};
+            if (difference(colors_at(coarse, rays), right) > mean_square) continue;
+            best = coarse;
+            break;
+        }
+    }
+    return best;
+}
+
+ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Truth& truth,
+                   const View& view, std::uint64_t seed, RayCounts& rays) {
+    constexpr std::uint32_t draws = 512;
+    constexpr std::uint32_t per_net = 8;
+    const Crop part = part_of(view);
+    const SobolPoints places(pixel_key(seed, -2, -2, bias_stream));
+    std::vector<PicturePoint> points;
+    for (std::uint32_t k = 0; k < draws; ++k) {
+        const int x = part.x + static_cast<int>(places[k].x * part.width);
+        const int y = part.y + static_cast<int>(places[k].y * part.height);
+        for (const std::uint64_t net : {0U, 1U}) {
+            const SobolPoints sequence(
+                pixel_key(seed, x, y, std::uint64_t(1) << 63 | std::uint64_t(k) << 1 | net));
+            for (std::uint32_t i = 0; i < per_net; ++i)
+                points.push_back({x + sequence[i].x, y + sequence[i].y});
+        }
+    }
+    std::vector<Color> ours(points.size());
+    std::vector<Color> right(points.size());
+    renderer.trace(view, points, limits, ours, {}, rays);
+    truth.renderer.trace(view, points, truth.limits, right, {}, rays);
+    std::vector<double> terms;
+    for (std::size_t at = 0; at < points.size(); at += std::size_t(2) * per_net) {
+        std::array<Color, 2> cut{Color{0, 0, 0}, Color{0, 0, 0}};
+        for (std::size_t i = 0; i < std::size_t(2) * per_net; ++i)
+            cut[i / per_net] += (ours[at + i] - right[at + i]) / static_cast<double>(per_net);
+        terms.push_back(dot(cut[0], cut[1]) / 3);
+    }
+    return estimate(terms);
+}
+
+}  // namespace lancer::accuracy

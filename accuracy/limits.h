@@ -1,0 +1,30 @@
+// How far rays must be followed: as far as the error that is asked for can tell.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "accuracy/audit.h"
+
+namespace lancer::accuracy {
+
+/// What the command line has decided.
+struct FixedLimits {
+    std::optional<int> max_depth;
+    std::optional<double> min_contribution;
+};
+
+/// TraceLimits that cut nothing which an RMSE of `error` could tell: a branch of a hundredth of it,
+/// or after 64 mirrors and bends.
+TraceLimits limits_of_truth(double error);
+
+/// The limits with the fewest rays whose mean squared difference from the truth is at most
+/// `mean_square`, as far as points spread over the picture tell. Adds to `rays`.
+TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLimits& fixed,
+                            double mean_square, std::uint64_t seed, RayCounts& rays);
+
+/// The mean squared error, over pixels, that remains however many samples `renderer` takes.
+ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Truth& truth,
+                   const View& view, std::uint64_t seed, RayCounts& rays);
+
+}  // namespace lancer::accuracy

@@ -1,0 +1,95 @@
+#include "accuracy/rare_light.h"
+
+#include <algorithm>
+
+#include "model/elementary.h"
+
+namespace lancer::accuracy {
+namespace {
+
+constexpr double fewest = 20;
+constexpr double noticed_share = 0.3;
+constexpr double seen_by_audits = 0.125;  // of a pixel: the nets of an audit meet what is larger
+
+struct Surroundings {
+    Color mean{0, 0, 0};
+    double variance = 0;  ///< of their samples, summed over channels
+};
+
+Surroundings surroundings(const Samples& samples, std::size_t pixel) {
+    const auto width = static_cast<std::size_t>(samples.width());
+    const int x = static_cast<int>(pixel % width);
+    const int y = static_cast<int>(pixel / width);
+    Color sum{0, 0, 0};
+    double squares = 0;
+    double count = 0;
+    for (int row = std::max(0, y - 1); row <= std::min(samples.height() - 1, y + 1); ++row) {
+        for (int column = std::max(0, x - 1); column <= std::min(samples.width() - 1, x + 1);
+             ++column) {
+            if (column == x && row == y) continue;
+            const PixelSums& near = samples.pixels()[static_cast<std::size_t>(row) * width +
+                                                     static_cast<std::size_t>(column)];
+            sum += near.mean();
+            squares += near.squares / near.count;
+            ++count;
+        }
+    }
+    if (count == 0) return {samples.pixels()[pixel].mean(), 0};
+    const Color mean = sum / count;
+    return {mean, std::max(0.0, squares / count - dot(mean, mean))};
+}
+
+double square(const Color& color) {
+    return dot(color, color);
+}
+
+/// Whether a pixel's samples lie far from those around it, as these lie from each other.
+bool is_alone(const PixelSums& own, const Surroundings& around) {
+    const double distance =
+        own.squares / own.count - 2 * dot(own.mean(), around.mean) + square(around.mean);
+    return distance > 4 * around.variance + 1e-12 * own.squares / own.count;
+}
+
+}  // namespace
+
+RareLight::RareLight(const Samples& first) {
+    for (std::size_t pixel = 0; pixel < first.size(); ++pixel)
+        if (is_alone(first.pixels()[pixel], surroundings(first, pixel))) pixels_.push_back(pixel);
+    if (first.size() > 0) count_ = first.pixels().front().count;
+}
+
+RareLight::Missed RareLight::missed(const Samples& later) const {
+    Missed missed;
+    double sum = 0;
+    double squares = 0;
+    for (const std::size_t pixel : pixels_) {
+        const PixelSums& own = later.pixels()[pixel];
+        const Surroundings around = surroundings(later, pixel);
+        if (!is_alone(own, around)) continue;
+        // Of a speck on a plain ground: its light times its share of the pixel, and that share.
+        const double added = square(own.mean() - around.mean);
+        if (added == 0) continue;
+        const double share = added / (own.variance() + added);
+        if (share >= seen_by_audits) continue;
+        const double unseen = elementary::pow(1 - share, count_);
+        if (unseen >= 1) continue;
+        const double error = added * unseen / (1 - unseen);
+        sum += error;
+        squares += error * error;
+        missed.pixels.push_back({later.column(pixel), later.row(pixel), error});
+    }
+    if (squares == 0) return missed;
+    missed.mean_square = sum / (3 * static_cast<double>(later.size()));
+    missed.effective_specks = sum * sum / squares;
+    std::stable_sort(missed.pixels.begin(), missed.pixels.end(),
+                     [](const PixelShare& a, const PixelShare& b) { return a.share > b.share; });
+    missed.pixels.resize(std::min<std::size_t>(missed.pixels.size(), 3));
+    for (PixelShare& p : missed.pixels) p.share /= sum;
+    return missed;
+}
+
+bool RareLight::Missed::forbids(double error) const {
+    return mean_square > noticed_share * error * error && effective_specks < fewest;
+}
+
+}  // namespace lancer::accuracy

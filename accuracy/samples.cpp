@@ -1,0 +1,76 @@
+#include "accuracy/samples.h"
+
+#include <algorithm>
+
+#include "model/sobol.h"
+
+namespace lancer::accuracy {
+
+void PixelSums::add(const Color& sample) {
+    sum += sample;
+    squares += dot(sample, sample);
+    ++count;
+}
+
+double PixelSums::variance() const {
+    if (count < 2) return 0;
+    const double n = count;
+    return std::max(0.0, (squares - dot(sum, sum) / n) / (n - 1));
+}
+
+Samples::Samples(const Renderer& renderer, const View& view, const TraceLimits& limits,
+                 std::uint64_t seed)
+    : renderer_(renderer),
+      view_(view),
+      limits_(limits),
+      seed_(seed),
+      crop_(view.crop.value_or(Crop{0, 0, view.width, view.height})),
+      pixels_(static_cast<std::size_t>(crop_.width) * static_cast<std::size_t>(crop_.height)) {}
+
+int Samples::column(std::size_t pixel) const {
+    return crop_.x + static_cast<int>(pixel % static_cast<std::size_t>(crop_.width));
+}
+
+int Samples::row(std::size_t pixel) const {
+    return crop_.y + static_cast<int>(pixel / static_cast<std::size_t>(crop_.width));
+}
+
+void Samples::trace(const std::vector<Run>& runs, const std::vector<PicturePoint>& points) {
+    std::vector<Color> colors(points.size());
+    renderer_.trace(view_, points, limits_, colors, {}, rays_);
+    std::size_t next = 0;
+    for (const Run& run : runs)
+        for (std::uint32_t i = 0; i < run.points; ++i) pixels_[run.pixel].add(colors[next++]);
+}
+
+void Samples::raise(std::span<const std::uint32_t> wanted, const Progress& progress) {
+    std::vector<Run> runs;
+    std::vector<PicturePoint> points;
+    for (std::size_t pixel = 0; pixel < size(); ++pixel) {
+        PixelSums& sums = pixels_[pixel];
+        if (wanted[pixel] > sums.count) {
+            const int x = column(pixel);
+            const int y = row(pixel);
+            const SobolPoints sequence(pixel_key(seed_, x, y));
+            for (std::uint32_t i = sums.count; i < wanted[pixel]; ++i)
+                points.push_back({x + sequence[i].x, y + sequence[i].y});
+            runs.push_back({pixel, wanted[pixel] - sums.count});
+        }
+        if (points.empty() || (points.size() < batch_size && pixel + 1 < size())) continue;
+        trace(runs, points);
+        runs.clear();
+        points.clear();
+        if (progress) progress(static_cast<double>(pixel + 1) / static_cast<double>(size()));
+    }
+}
+
+Image Samples::image() const {
+    Image image(width(), height());
+    for (std::size_t pixel = 0; pixel < size(); ++pixel) {
+        const Color mean = pixels_[pixel].mean();
+        for (int c = 0; c < 3; ++c) image.data[pixel * 3 + static_cast<std::size_t>(c)] = mean[c];
+    }
+    return image;
+}
+
+}  // namespace lancer::accuracy

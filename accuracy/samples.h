@@ -1,0 +1,68 @@
+// The samples of a picture so far: what the rays of each pixel have brought.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracer/render.h"
+
+namespace lancer::accuracy {
+
+/// The samples of one pixel, summed.
+struct PixelSums {
+    Color sum{0, 0, 0};
+    double squares = 0;  ///< of all samples and channels
+    std::uint32_t count = 0;
+
+    void add(const Color& sample);
+    Color mean() const { return sum / static_cast<double>(count); }
+    /// Of the samples, summed over channels, without bias; 0 for a single one.
+    double variance() const;
+};
+
+/// A picture whose pixels have as many samples as each needs, at its own Owen-scrambled Sobol
+/// points. What a pixel holds depends on its place, the seed and the number of its samples alone.
+class Samples {
+  public:
+    /// All arguments must outlive the object. With a crop the picture is that part.
+    Samples(const Renderer& renderer, const View& view, const TraceLimits& limits,
+            std::uint64_t seed);
+
+    int width() const { return crop_.width; }
+    int height() const { return crop_.height; }
+    std::size_t size() const { return pixels_.size(); }
+    const std::vector<PixelSums>& pixels() const { return pixels_; }
+    const RayCounts& rays() const { return rays_; }
+    std::uint64_t seed() const { return seed_; }
+    const View& view() const { return view_; }
+    /// A pixel's place in the whole picture.
+    int column(std::size_t pixel) const;
+    int row(std::size_t pixel) const;
+
+    /// Raises each pixel's number of samples to wanted[pixel]; those that have as many keep theirs.
+    void raise(std::span<const std::uint32_t> wanted, const Progress& progress);
+
+    /// The means, in linear light; every pixel must have a sample.
+    Image image() const;
+
+  private:
+    struct Run {
+        std::size_t pixel;
+        std::uint32_t points;
+    };
+    void trace(const std::vector<Run>& runs, const std::vector<PicturePoint>& points);
+
+    const Renderer& renderer_;
+    const View& view_;
+    TraceLimits limits_;
+    std::uint64_t seed_;
+    Crop crop_;
+    std::vector<PixelSums> pixels_;
+    RayCounts rays_;
+};
+
+/// Batches of rays hold about as many: enough for all cores, little memory.
+inline constexpr std::size_t batch_size = std::size_t(1) << 17;
+
+}  // namespace lancer::accuracy
