@@ -26,8 +26,11 @@ TEST(Levels, ObjectsDefineNothingOutsideOfTheirNamespace) {
     int seen = 0;
     for (std::string object; std::getline(list, object, ' ');) {
         const std::string level = object.find("avx512") != std::string::npos ? "avx512" : "avx2";
-        const std::string space = "lancer::wide::" + level + "::";
-        std::istringstream symbols(output_of("nm -C --defined-only '" + object + "'"));
+        // Of lancer::wide::avx512, as symbols spell it: not all of them can be told in C++'s way.
+        const std::string space = "6lancer4wide" + std::to_string(level.size()) + level;
+        const std::string entry =
+            "_ZN6lancer4wide" + std::to_string(11 + level.size()) + "trace_rays_" + level;
+        std::istringstream symbols(output_of("nm --defined-only '" + object + "'"));
         std::vector<std::string> foreign;
         int weak = 0;
         for (std::string line; std::getline(symbols, line);) {
@@ -35,9 +38,8 @@ TEST(Levels, ObjectsDefineNothingOutsideOfTheirNamespace) {
             const std::string name = line.substr(kind + 2);
             if (std::string("WuTDB").find(line[kind]) == std::string::npos) continue;
             ++weak;
-            if (name.starts_with("lancer::wide::trace_rays_" + level + "(")) continue;
-            const std::string start = name.substr(0, name.find('('));
-            if (start.find(space) == std::string::npos) foreign.push_back(line);
+            if (name.starts_with(entry)) continue;
+            if (name.find(space) == std::string::npos) foreign.push_back(line);
         }
         EXPECT_GT(weak, 5) << object;
         EXPECT_THAT(foreign, testing::IsEmpty()) << object;

@@ -109,6 +109,30 @@ TEST(WideLevels, AProbeAndAPointTellWhatThePictureShows) {
     }
 }
 
+/// Seen from outside and inside, mirrored in themselves, through frames that turn and squeeze.
+TEST(WideLevels, MeshesAreTheSame) {
+    for (int i = 0; i < 6; ++i) {
+        Stage s;
+        s.look(i % 3 == 2 ? Vec3d(0.1, 0.9, 0.2) : Vec3d(1, 2, 5), {0, 0.8, 0}, 60);
+        s.lamp({3, 5, 2});
+        s.lamp({0.2, 1.1, 0.1}, {0.3, 0.3, 0.4});
+        s.add(Plane{{0, 1, 0}, -0.25}, s.matt({0.5, 0.6, 0.4}));
+        Material glossy;
+        glossy.reflection = Color(0.5);
+        glossy.phong = 0.5;
+        const Affine<double> map =
+            i == 0 ? Affine<double>{}
+                   : compose(shift({0.1 * i, 0, 0}),
+                             compose(turn(i % 3, 31.0 * i), stretched(1, i < 3 ? 1 : 0.3, 2)));
+        s.add(icosphere({0, 1, 0}, 0.75, 4), s.material(glossy), map);
+        s.add(cube({-2, 0, -1}, {-1, 1, 0.5}), s.mirror(), map);
+        for (Object& object : s.scene.objects)
+            if (auto* mesh = std::get_if<MeshRef>(&object.shape)) mesh->smooth = i % 2 == 1;
+        EXPECT_TRUE(expect_same_on_all_levels(s.scene, std::to_string(i)) ||
+                    supported_wide_levels().empty());
+    }
+}
+
 /// Starts of mirrored rays next to the surface, lights in it, giants and specks: lanes are unsure.
 TEST(WideLevels, WhatIsUnsureIsTheSame) {
     for (const double size : {1e-9, 1e-4, 1.0, 1e5}) {

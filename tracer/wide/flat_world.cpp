@@ -11,10 +11,30 @@ static_assert(offsetof(Node, min) == offsetof(BvhNode<double>, min));
 static_assert(offsetof(Node, max) == offsetof(BvhNode<double>, max));
 static_assert(offsetof(Node, child) == offsetof(BvhNode<double>, child));
 static_assert(offsetof(Node, count) == offsetof(BvhNode<double>, count));
+static_assert(sizeof(TriangleBlock) == sizeof(TriangleLeaf<double>));
+static_assert(offsetof(TriangleBlock, corner) == offsetof(TriangleLeaf<double>, corner));
+static_assert(offsetof(TriangleBlock, face) == offsetof(TriangleLeaf<double>, face));
+static_assert(sizeof(Vec3d) == sizeof(double[3]));
+static_assert(sizeof(lancer::Mesh::Corners) == sizeof(std::uint32_t[3]));
 static_assert(nothing == none);
 
 void put(const Vec3d& from, double (&to)[3]) {
     for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+void put(const std::array<Vec3d, 3>& from, double (&to)[3][3]) {
+    for (std::size_t i = 0; i < 3; ++i) put(from[i], to[i]);
+}
+
+Frame frame_of(const lancer::Frame<double>& frame) {
+    Frame f{};
+    put(frame.to_world.rows, f.to_world);
+    put(frame.to_world.shift, f.shift);
+    put(frame.linear_inverse.rows, f.linear_inverse);
+    f.norm = frame.norm;
+    f.inverse_norm = frame.inverse_norm;
+    f.transform_error = frame.transform_error;
+    return f;
 }
 
 Tree tree_of(const Bvh<double>& bvh) {
@@ -30,6 +50,8 @@ Tree tree_of(const Bvh<double>& bvh) {
 
 FlatWorld::FlatWorld(const World<double>& world) {
     items_.reserve(world.primitives.size());
+    frames_.reserve(world.frames.size());
+    for (const lancer::Frame<double>& f : world.frames) frames_.push_back(frame_of(f));
     for (const Primitive<double>& p : world.primitives) add(p);
     for (const lancer::Finish<double>& f : world.finishes) add(f, world);
     for (const LightSource<double>& light : world.lights) add(light, world);
@@ -39,6 +61,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.item_count = static_cast<std::uint32_t>(items_.size());
     scene_.balls = balls_.data();
     scene_.planes = planes_.data();
+    scene_.meshes = meshes_.data();
     scene_.finishes = finishes_.data();
     scene_.lights = lights_.data();
     scene_.light_count = lights_.size();
@@ -67,8 +90,28 @@ void FlatWorld::add(const Primitive<double>& primitive) {
         p.filter_error = half->filter_error;
         p.offset = half->offset;
         put(unit(half->normal), p.unit_normal);
+    } else if (const auto* mesh = std::get_if<MeshInstance<double>>(&primitive.solid)) {
+        item.kind = Kind::mesh;
+        item.shape = static_cast<std::uint32_t>(meshes_.size());
+        add(*mesh, primitive.frame == none ? nullptr : &frames_[primitive.frame]);
     }
     items_.push_back(item);
+}
+
+void FlatWorld::add(const MeshInstance<double>& instance, const Frame* frame) {
+    const TriangleMesh<double>& mesh = *instance.mesh;
+    Mesh& m = meshes_.emplace_back();
+    m.tree = tree_of(mesh.bvh);
+    m.leaves = reinterpret_cast<const TriangleBlock*>(mesh.leaves.data());
+    m.reach = mesh.bvh.reach;
+    m.inward = mesh.inward.empty() ? nullptr : mesh.inward.data();
+    m.vertices = reinterpret_cast<const double(*)[3]>(mesh.vertices.data());
+    m.faces = reinterpret_cast<const std::uint32_t(*)[3]>(mesh.source->faces.data());
+    if (instance.smooth && !mesh.normals.empty()) {
+        m.normals = reinterpret_cast<const double(*)[3]>(mesh.normals.data());
+        m.normal_faces = reinterpret_cast<const std::uint32_t(*)[3]>(mesh.normal_faces->data());
+    }
+    m.frame = frame;
 }
 
 void FlatWorld::add(const lancer::Finish<double>& finish, const World<double>& world) {

@@ -19,12 +19,15 @@ class FlatWorld {
 
   private:
     void add(const Primitive<double>& primitive);
+    void add(const MeshInstance<double>& instance, const Frame* frame);
     void add(const lancer::Finish<double>& finish, const World<double>& world);
     void add(const LightSource<double>& light, const World<double>& world);
 
     std::vector<Item> items_;
     std::vector<Ball> balls_;
     std::vector<Plane> planes_;
+    std::vector<Mesh> meshes_;
+    std::vector<Frame> frames_;  ///< as World::frames
     std::vector<Finish> finishes_;
     std::vector<Light> lights_;
     Scene scene_{};

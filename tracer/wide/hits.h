@@ -36,19 +36,21 @@ class NearestHits {
 
     /// Adds crossings, in the lanes of the mask, of rays that do not start on the item. What lies
     /// next to the start is left to scalar code.
-    LANCER_INLINE void add_ahead(Mask mask, const Numbers& at, const Numbers& bound,
+    LANCER_INLINE Mask add_ahead(Mask mask, const Numbers& at, const Numbers& bound,
                                  std::uint32_t of, Mask is_entering) {
         const Mask behind = less(at, -bound);
         const Mask ahead = less(bound, at);
         unsure |= mask & ~behind & ~ahead;
-        add(mask & ahead, at, bound, of, is_entering);
+        return add(mask & ahead, at, bound, of, is_entering);
     }
 
     /// Adds crossings that count.
-    LANCER_INLINE void add(Mask mask, const Numbers& at, const Numbers& bound, std::uint32_t of,
+    ///
+    /// \return where they are the nearest now
+    LANCER_INLINE Mask add(Mask mask, const Numbers& at, const Numbers& bound, std::uint32_t of,
                            Mask is_entering) {
         mask &= at_most(at, limit);
-        if (mask == 0) return;
+        if (mask == 0) return 0;
         const Mask nearer = mask & some & less(at, t);
         const Numbers reach = at + all(8.0) * bound;
         unsure |= mask & some & ~nearer;
@@ -63,14 +65,22 @@ class NearestHits {
             item[i] = of;
             face[i] = 0;
         });
+        return taken;
+    }
+
+    /// What else there is to know of a triangle's crossings that were just taken.
+    LANCER_INLINE void set_triangle(Mask taken, std::uint32_t of, const Numbers& at_u,
+                                    const Numbers& at_v) {
+        if (taken == 0) return;
+        for_each_lane(taken, [&](int i) { face[i] = of; });
+        u = select(taken, at_u, u);
+        v = select(taken, at_v, v);
     }
 
     /// The same for one lane.
     void add(int i, const LaneHit& hit) {
         const Mask bit = Mask(1) << i;
-        const Numbers before = t;
-        add(bit, all(hit.t), all(hit.error), hit.item, hit.entering ? bit : 0);
-        if (!(LANCER_LEVEL::lane(t, i) != LANCER_LEVEL::lane(before, i))) return;
+        if (add(bit, all(hit.t), all(hit.error), hit.item, hit.entering ? bit : 0) == 0) return;
         face[i] = hit.face;
         set_lane(u, i, hit.u);
         set_lane(v, i, hit.v);

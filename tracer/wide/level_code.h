@@ -4,10 +4,13 @@
 #include "tracer/wide/scene.h"
 //
 #include "tracer/wide/floats.h"
+#include "tracer/wide/fours.h"
 //
 #include "tracer/wide/vectors.h"
 //
 #include "tracer/wide/rays.h"
+//
+#include "tracer/wide/frames.h"
 //
 #include "tracer/wide/slabs.h"
 //
@@ -17,9 +20,17 @@
 //
 #include "tracer/wide/balls.h"
 #include "tracer/wide/planes.h"
+#include "tracer/wide/triangles.h"
+//
+#include "tracer/wide/meshes.h"
 //
 #include "tracer/wide/nearest.h"
 #include "tracer/wide/shadows.h"
+//
+#include "tracer/wide/surface.h"
+//
+#include "tracer/wide/mesh_surfaces.h"
+//
 #include "tracer/wide/surfaces.h"
 //
 #include "tracer/wide/lighting.h"

@@ -43,6 +43,10 @@ inline void find_nearest(const Job& job, const Rays& r, const Starts& starts, Ma
                 if (item.kind == Kind::ball) {
                     const Mask own = mask & equal(starts.item, i);
                     asked = own | ball_crossings(scene.balls[item.shape], i, r, mask & ~own, hits);
+                } else if (item.kind == Kind::mesh) {
+                    if (mask != 0)
+                        mesh_crossings(scene.meshes[item.shape], i, r, starts, mask, hits);
+                    asked = 0;
                 }
                 if (asked != 0) exact_crossings(*job.exact, i, r, starts, asked, hits);
             }

@@ -52,7 +52,7 @@ LANCER_INLINE Vectors start_from(const Rays& r, const Vectors& point) {
 struct Starts {
     alignas(32) std::uint32_t item[lanes];
     alignas(32) std::uint32_t left[lanes];
-    std::uint32_t face[lanes];
+    alignas(32) std::uint32_t face[lanes];
     Mask entering = 0;
 
     LaneStart lane(int i) const { return {item[i], face[i], (entering >> i & 1) != 0, left[i]}; }

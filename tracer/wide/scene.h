@@ -42,8 +42,36 @@ struct Plane {
     double unit_normal[3];  ///< unit(normal)
 };
 
+/// Frame<double>
+struct Frame {
+    double to_world[3][3];
+    double shift[3];
+    double linear_inverse[3][3];
+    double norm, inverse_norm, transform_error;
+};
+
+/// TriangleLeaf<double>, which this must lie over.
+struct TriangleBlock {
+    double corner[3][3][4];
+    std::uint32_t face[4];
+};
+
+/// A mesh where it stands: MeshInstance<double> and the frame of its primitive.
+struct Mesh {
+    Tree tree;
+    const TriangleBlock* leaves;
+    double reach;
+    const std::uint8_t* inward;  ///< null: no face looks inside
+    const double (*vertices)[3];
+    const std::uint32_t (*faces)[3];
+    const double (*normals)[3];  ///< null: none are interpolated
+    const std::uint32_t (*normal_faces)[3];
+    const Frame* frame;  ///< null: in world space
+};
+
 enum class Kind : std::uint8_t {
-    ball,   ///< in world space
+    ball,  ///< in world space
+    mesh,
     other,  ///< which scalar code knows
 };
 
@@ -92,6 +120,7 @@ struct Scene {
     std::uint32_t item_count;
     const Ball* balls;
     const Plane* planes;  ///< items[bounded..]
+    const Mesh* meshes;
     const Finish* finishes;
     const Light* lights;
     std::size_t light_count;

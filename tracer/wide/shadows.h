@@ -53,6 +53,11 @@ class ShadowQuery {
             const BallShadow shadow(scene_.balls[item.shape], rays_, mask & ~own, distance_);
             blocked_ |= shadow.blocks;
             unsure_ |= shadow.unsure | own;
+        } else if (item.kind == Kind::mesh) {
+            const MeshShadow shadow(scene_.meshes[item.shape], index, rays_, starts_, mask,
+                                    distance_);
+            blocked_ |= shadow.blocks;
+            unsure_ |= shadow.unsure;
         } else {
             for_each_lane(mask, [&](int i) {
                 if (job_.exact->blocks(index, lane_ray(rays_, i), starts_.lane(i),

@@ -1,22 +1,7 @@
-// Eight hits become surfaces: shading/surface.h for lanes.
+// Eight hits become surfaces: make_surface() for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
-
-/// Eight hits with all that shading asks of them: Surface<double> and its finish.
-struct Surfaces {
-    Vectors position, position_lo, geometric, normal, color, reflection, own;
-    Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness;
-};
-
-LANCER_INLINE void put(Mask mask, const VectorPair& place, const Numbers& error,
-                       const Vectors& normal, Surfaces& s) {
-    s.position = select(mask, place.hi, s.position);
-    s.position_lo = select(mask, place.lo, s.position_lo);
-    s.error = select(mask, error, s.error);
-    s.geometric = select(mask, normal, s.geometric);
-    s.normal = select(mask, normal, s.normal);
-}
 
 /// The points of hits with balls, put back onto them: surface_point().
 ///
@@ -128,6 +113,7 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     put_finishes(scene, hits, mask, s);
     Mask balls = 0;
     Mask planes = 0;
+    Mask meshes = 0;
     Mask exact = 0;
     for_each_lane(mask, [&](int i) {
         const Item& item = scene.items[hits.item[i]];
@@ -138,6 +124,8 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
             planes |= bit;
         else if (item.kind == Kind::ball)
             balls |= bit;
+        else if (item.kind == Kind::mesh)
+            meshes |= bit;
         else
             exact |= bit;
     });
@@ -147,6 +135,12 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
         const Mask same = planes & equal(hits.item, item);
         put_plane(scene.planes[item - scene.bounded], r, hits, same, s);
         planes &= ~same;
+    }
+    while (meshes != 0) {
+        const std::uint32_t item = hits.item[__builtin_ctz(meshes)];
+        const Mask same = meshes & equal(hits.item, item);
+        exact |= put_mesh(scene.meshes[scene.items[item].shape], hits, same, s);
+        meshes &= ~same;
     }
     s.normal = select(less(zero, dot(s.normal, r.dir)), -s.normal, s.normal);
     if (exact != 0) put_exactly(*job.exact, r, hits, exact, s);
