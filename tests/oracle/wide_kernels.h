@@ -1,0 +1,44 @@
+// The kernels for eight rays side by side, of each level, as functions that a test can call.
+#pragma once
+
+#include "tracer/wide/scene.h"
+
+namespace lancer::oracle {
+
+/// What a kernel says of one shape and one of the rays.
+struct WideAnswer {
+    bool hit, unsure, entering;
+    double t, error, u, v;
+};
+
+/// One ray as the tests of boxes see it: SlabRay<float> for each axis, and whether it misses all.
+struct WideSlabs {
+    bool misses;
+    float enter_origin[3], leave_origin[3], enter_inverse[3], leave_inverse[3];
+    float last;  ///< BoxRay::parameter() of the limit
+    bool met;    ///< the ray may meet the node's first box
+};
+
+/// All take eight rays and answer for each.
+struct WideKernels {
+    void (*ball)(const wide::Ball& ball, const wide::LaneRay* rays, double limit, WideAnswer* out);
+    void (*plane)(const wide::Plane& plane, const wide::LaneRay* rays, double limit,
+                  WideAnswer* out);
+    /// The first triangle of the block. `unsure`: a ray with all four did not find that it may
+    /// meet the first.
+    void (*triangle)(const wide::TriangleBlock& block, double reach, const wide::LaneRay* rays,
+                     double limit, WideAnswer* out);
+    /// `hit`: the ball, or plane, lies on the way to a light so far away.
+    void (*ball_shadow)(const wide::Ball& ball, const wide::LaneRay* rays, double distance,
+                        WideAnswer* out);
+    void (*plane_shadow)(const wide::Plane& plane, const wide::LaneRay* rays, double distance,
+                         WideAnswer* out);
+    void (*slabs)(const wide::Tree& tree, const wide::LaneRay* rays, double limit, WideSlabs* out);
+    void (*local)(const wide::Frame& frame, const wide::LaneRay* rays, wide::LaneRay* out);
+    void (*power)(const double* x, const double* y, double* out);
+};
+
+extern const WideKernels wide_kernels_avx2;
+extern const WideKernels wide_kernels_avx512;
+
+}  // namespace lancer::oracle

@@ -1,0 +1,124 @@
+// The body of wide_kernels_*.cpp.
+#pragma once
+
+namespace lancer::wide::LANCER_LEVEL {
+
+inline Rays rays_of(const LaneRay* from) {
+    const Numbers zero = all(0.0);
+    Vectors origin{zero, zero, zero};
+    Vectors origin_lo = origin;
+    Vectors dir = origin;
+    Numbers error = zero;
+    for (int i = 0; i < lanes; ++i) {
+        set_lane(origin, i, from[i].origin);
+        set_lane(origin_lo, i, from[i].origin_lo);
+        set_lane(dir, i, from[i].dir);
+        set_lane(error, i, from[i].origin_error);
+    }
+    return make_rays(origin, origin_lo, dir, error);
+}
+
+inline void put_answers(const NearestHits& hits, oracle::WideAnswer* out) {
+    for (int i = 0; i < lanes; ++i) {
+        out[i] = {(hits.some >> i & 1) != 0,
+                  (hits.unsure >> i & 1) != 0,
+                  (hits.entering >> i & 1) != 0,
+                  lane(hits.t, i),
+                  lane(hits.error, i),
+                  0,
+                  0};
+    }
+}
+
+inline void put_answers(Mask hit, Mask unsure, oracle::WideAnswer* out) {
+    for (int i = 0; i < lanes; ++i)
+        out[i] = {(hit >> i & 1) != 0, (unsure >> i & 1) != 0, false, 0, 0, 0, 0};
+}
+
+inline void ball_kernel(const Ball& ball, const LaneRay* rays, double limit,
+                        oracle::WideAnswer* out) {
+    NearestHits hits;
+    hits.limit = all(limit);
+    hits.unsure |= ball_crossings(ball, 0, rays_of(rays), 255, hits);
+    put_answers(hits, out);
+}
+inline void plane_kernel(const Plane& plane, const LaneRay* rays, double limit,
+                         oracle::WideAnswer* out) {
+    NearestHits hits;
+    hits.limit = all(limit);
+    plane_crossings(plane, 0, rays_of(rays), 255, hits);
+    put_answers(hits, out);
+}
+
+inline void triangle_kernel(const TriangleBlock& block, double reach, const LaneRay* from,
+                            double limit, oracle::WideAnswer* out) {
+    const Rays rays = rays_of(from);
+    Shears shears;
+    shears.set(rays, reach, 255);
+    put_answers(0, 0, out);
+    const TriangleCorners corners(block, 0);
+    for (int k = 0; k < shears.count; ++k) {
+        const Shears::Group& g = shears.groups[k];
+        const Mask may = corners.may_meet(rays, shears, g) & g.mask;
+        for_each_lane(g.mask, [&](int i) {
+            out[i].unsure = (may_meet(block, rays, shears, g, i) & 1) != (may >> i & 1);
+        });
+        if (may == 0) continue;
+        const TriangleHits hits = intersect_exactly(corners, rays, shears, g, may, all(limit));
+        for_each_lane(hits.mask, [&](int i) {
+            out[i] = {true,
+                      out[i].unsure,
+                      (hits.entering >> i & 1) != 0,
+                      lane(hits.t, i),
+                      lane(hits.error, i),
+                      lane(hits.u, i),
+                      lane(hits.v, i)};
+        });
+    }
+}
+
+inline void ball_shadow_kernel(const Ball& ball, const LaneRay* rays, double distance,
+                               oracle::WideAnswer* out) {
+    const BallShadow shadow(ball, rays_of(rays), 255, all(distance));
+    put_answers(shadow.blocks, shadow.unsure, out);
+}
+inline void plane_shadow_kernel(const Plane& plane, const LaneRay* rays, double distance,
+                                oracle::WideAnswer* out) {
+    const PlaneShadow shadow(plane, rays_of(rays), 255, all(distance));
+    put_answers(shadow.blocks, shadow.unsure, out);
+}
+
+inline void slabs_kernel(const Tree& tree, const LaneRay* from, double limit,
+                         oracle::WideSlabs* out) {
+    const Rays rays = rays_of(from);
+    const BoxRays boxes(tree, rays, 255, all(limit));
+    for (int i = 0; i < lanes; ++i) out[i].misses = (boxes.misses >> i & 1) != 0;
+    if (boxes.misses == 255) return;
+    const Floats last = boxes.parameters(all(limit));
+    const Mask met = enter_box(boxes, tree.nodes[0], 0, last).met;
+    for (int i = 0; i < lanes; ++i) {
+        for (int a = 0; a < 3; ++a) {
+            out[i].enter_origin[a] = lane(boxes.slabs[a].enter_origin, i);
+            out[i].leave_origin[a] = lane(boxes.slabs[a].leave_origin, i);
+            out[i].enter_inverse[a] = lane(boxes.slabs[a].enter_inverse, i);
+            out[i].leave_inverse[a] = lane(boxes.slabs[a].leave_inverse, i);
+        }
+        out[i].last = lane(last, i);
+        out[i].met = (met >> i & 1) != 0;
+    }
+}
+
+inline void local_kernel(const Frame& frame, const LaneRay* rays, LaneRay* out) {
+    const Rays local = to_local(rays_of(rays), frame);
+    for (int i = 0; i < lanes; ++i) out[i] = lane_ray(local, i);
+}
+
+inline void power_kernel(const double* x, const double* y, double* out) {
+    store(out, power(load(x), load(y)));
+}
+
+inline constexpr oracle::WideKernels kernels{
+    ball_kernel,         plane_kernel, triangle_kernel, ball_shadow_kernel,
+    plane_shadow_kernel, slabs_kernel, local_kernel,    power_kernel};
+
+}  // namespace lancer::wide::LANCER_LEVEL

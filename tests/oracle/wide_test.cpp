@@ -1,0 +1,370 @@
+// Rays side by side against the scalar methods, which are proved and held to 256-bit arithmetic:
+// where wide code is sure, it says the same, bit for bit.
+#include <bit>
+
+#include "model/elementary.h"
+#include "tests/oracle/tally.h"
+#include "tests/oracle/wide_kernels.h"
+#include "tracer/bvh/slabs.h"
+#include "tracer/rays/frame.h"
+#include "tracer/shapes/plane.h"
+#include "tracer/shapes/sphere.h"
+#include "tracer/shapes/triangle.h"
+#include "tracer/wide/level.h"
+
+namespace lancer::oracle {
+namespace {
+
+using lancer::cross;
+
+constexpr int lanes = 8;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Calls test(kernels) for each level that the processor has.
+template <class Test>
+void on_each_level(Test&& test) {
+    for (const Level level : {Level::avx2, Level::avx512}) {
+        if (!is_supported(level)) continue;
+        SCOPED_TRACE(name_of(level));
+        test(level == Level::avx2 ? wide_kernels_avx2 : wide_kernels_avx512);
+    }
+}
+
+void put(const Vec3d& v, double (&to)[3]) {
+    for (int i = 0; i < 3; ++i) to[i] = v[i];
+}
+wide::LaneRay lane_ray(const Ray<double>& ray) {
+    wide::LaneRay r{};
+    put(ray.origin, r.origin);
+    put(ray.origin_lo, r.origin_lo);
+    put(ray.dir, r.dir);
+    r.origin_error = ray.origin_error;
+    return r;
+}
+
+/// Eight rays, as different as cases of their own.
+struct Eight {
+    std::vector<Ray<double>> rays;
+    std::vector<wide::LaneRay> lane_rays;
+
+    template <class Make>
+    Eight(const Draw& draw, Make&& make) {
+        for (std::uint64_t i = 0; i < lanes; ++i) {
+            Draw own(draw.number() * lanes + i);
+            const Ray<double> ray = own.in_two_parts(make(own));
+            const double error = own.number() % 5 == 2 ? own.decade(-18, -6) : 0;
+            rays.push_back(make_ray(ray.origin, ray.origin_lo, ray.dir, error));
+            lane_rays.push_back(lane_ray(rays.back()));
+        }
+    }
+};
+
+struct Share {
+    std::size_t unsure = 0, hits = 0, answers = 0;
+
+    /// Kernels that are sure of nothing would pass, but be of no use.
+    void expect(double most_unsure) const {
+        EXPECT_GT(hits, answers / 20);
+        EXPECT_LE(static_cast<double>(unsure), most_unsure * static_cast<double>(answers));
+    }
+};
+
+/// The crossings that count ahead of the start, by the rules of IntersectionFilter.
+void check_nearest(std::vector<Crossing<double>> found, const WideAnswer& answer, const Draw& draw,
+                   Share& share) {
+    ++share.answers;
+    share.hits += answer.hit;
+    share.unsure += answer.unsure;
+    if (answer.unsure) return;
+    for (const Crossing<double>& c : found)
+        EXPECT_TRUE(c.t > c.error || c.t < -c.error) << "case " << draw.number() << ": too near";
+    std::erase_if(found, [](const auto& c) { return c.t < 0; });
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+    ASSERT_EQ(answer.hit, !found.empty()) << "case " << draw.number();
+    if (found.empty()) return;
+    EXPECT_EQ(answer.t, found[0].t) << "case " << draw.number();
+    EXPECT_EQ(answer.error, found[0].error) << "case " << draw.number();
+    EXPECT_EQ(answer.entering, found[0].entering) << "case " << draw.number();
+    if (found.size() == 1) return;
+    EXPECT_GT(found[1].t, found[0].t + 8 * found[0].error) << "case " << draw.number();
+}
+
+template <class Shape>
+std::vector<Crossing<double>> crossings_to(const Shape& shape, const Ray<double>& ray,
+                                           double limit) {
+    std::vector<Crossing<double>> found;
+    const auto last = [&] { return limit; };
+    const auto note = [&](const Crossing<double>& c) {
+        if (!(c.t > limit)) found.push_back(c);
+    };
+    crossings(shape, ray, IntersectionHints{}, RayInterval<double, decltype(last)>{0, last}, note);
+    return found;
+}
+
+/// Whether anything counts before a light so far away: query_occlusion().
+template <class Shape>
+void check_shadow(const Shape& shape, const Ray<double>& ray, double distance,
+                  const WideAnswer& answer, const Draw& draw, Share& share) {
+    ++share.answers;
+    share.hits += answer.hit;
+    share.unsure += answer.unsure;
+    if (answer.unsure) return;
+    const auto found = crossings_to(shape, ray, distance);
+    const bool hidden = std::any_of(found.begin(), found.end(), [&](const auto& c) {
+        return c.t > c.error && c.t < distance - c.error;
+    });
+    EXPECT_EQ(answer.hit, hidden) << "case " << draw.number();
+}
+
+double some_limit(Draw& draw, double size) {
+    return draw.number() % 2 == 0 ? infinity : size * draw.decade(-2, 4);
+}
+
+struct BallCase {
+    BallSolid<double> ball;
+    wide::Ball wide;
+    Eight rays;
+    double limit;
+
+    explicit BallCase(Draw& draw) : BallCase(draw, draw.direction() * draw.decade(-2, 2)) {}
+
+  private:
+    BallCase(Draw& draw, const Vec3d& center)
+        : ball{center, draw.decade(-3, 3), draw.number() % 5 == 2 ? draw.decade(-18, -8) : 0},
+          rays(draw,
+               [&](Draw& own) {
+                   const Ray<double> ray = own.ray_at(center, ball.radius);
+                   if (own.number() % 4 != 1) return ray;
+                   // Nearly touches.
+                   const Vec3d edge = normalize(cross(ray.dir, own.direction()));
+                   const double reach = ball.radius * (1 - own.decade(-17, -1));
+                   return make_ray(
+                       center + edge * reach - ray.dir * (ball.radius * own.decade(0, 4)), Vec3d(0),
+                       ray.dir, 0.0);
+               }),
+          limit(some_limit(draw, ball.radius)) {
+        put(ball.center, wide.center);
+        wide.radius = ball.radius;
+        wide.transform_error = ball.transform_error;
+        wide.filter_error = ball.filter_error;
+    }
+};
+
+TEST(OracleWide, Ball) {
+    on_each_level([](const WideKernels& kernels) {
+        Share nearest, shadow;
+        Tally("sphere, side by side").run([&](Draw& draw) {
+            const BallCase c(draw);
+            WideAnswer answers[lanes];
+            kernels.ball(c.wide, c.rays.lane_rays.data(), c.limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_nearest(crossings_to(c.ball, c.rays.rays[i], c.limit), answers[i], draw,
+                              nearest);
+            kernels.ball_shadow(c.wide, c.rays.lane_rays.data(), c.limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_shadow(c.ball, c.rays.rays[i], c.limit, answers[i], draw, shadow);
+        });
+        nearest.expect(0.7);  // a third starts in the ball or next to it, a quarter nearly touches
+        shadow.expect(0.5);
+    });
+}
+
+TEST(OracleWide, Plane) {
+    on_each_level([](const WideKernels& kernels) {
+        Share nearest, shadow;
+        Tally("plane, side by side").run([&](Draw& draw) {
+            const HalfSpace<double> half{draw.number() % 3 == 0 ? Vec3d(0, 1, 0) : draw.direction(),
+                                         draw.direction() * draw.decade(-2, 2),
+                                         draw.number() % 5 == 2 ? draw.decade(-18, -8) : 0};
+            wide::Plane plane{};
+            put(half.normal, plane.normal);
+            put(half.point, plane.point);
+            plane.transform_error = half.transform_error;
+            plane.filter_error = half.filter_error;
+            plane.offset = half.offset;
+            const Eight rays(draw, [&](Draw& own) { return own.ray_at(half.point, 1); });
+            const double limit = some_limit(draw, 1);
+            WideAnswer answers[lanes];
+            kernels.plane(plane, rays.lane_rays.data(), limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_nearest(crossings_to(half, rays.rays[i], limit), answers[i], draw, nearest);
+            kernels.plane_shadow(plane, rays.lane_rays.data(), limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_shadow(half, rays.rays[i], limit, answers[i], draw, shadow);
+        });
+        nearest.expect(0.1);
+        shadow.expect(0.1);
+    });
+}
+
+TEST(OracleWide, Triangle) {
+    on_each_level([](const WideKernels& kernels) {
+        std::size_t hits = 0;
+        Tally("triangle, side by side").run([&](Draw& draw) {
+            const Vec3d a = draw.direction() * draw.decade(-2, 2);
+            const double size = draw.decade(-2, 2);
+            TriangleSheet<double> triangle{a, a + size * draw.direction(),
+                                           a + size * draw.direction()};
+            if (draw.number() % 4 == 1) triangle.c.y = triangle.b.y = a.y;
+            wide::TriangleBlock block{};
+            for (int axis = 0; axis < 3; ++axis) {
+                block.corner[0][axis][0] = triangle.a[axis];
+                block.corner[1][axis][0] = triangle.b[axis];
+                block.corner[2][axis][0] = triangle.c[axis];
+            }
+            const Eight rays(draw, [&](Draw& own) {
+                const Ray<double> ray = own.ray_at(a, size);
+                if (own.number() % 3 != 0) return ray;
+                // At a corner or an edge.
+                const double share = own.number() % 2 == 0 ? 0 : own.unit();
+                const Vec3d at = triangle.b + share * (triangle.c - triangle.b);
+                return make_ray(at - ray.dir * size, Vec3d(0), ray.dir, 0.0);
+            });
+            const double limit = some_limit(draw, size);
+            WideAnswer answers[lanes];
+            kernels.triangle(block, triangle.reach(), rays.lane_rays.data(), limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i) {
+                const Ray<double>& ray = rays.rays[i];
+                const auto last = [&] { return limit; };
+                const RayInterval<double, decltype(last)> interval{-infinity, last};
+                TriangleHit<double> hit;
+                Shear<double> shear = shear_of(ray);
+                shear.noise = edge_noise(ray, triangle.reach());
+                const bool found = intersect(triangle, ray, shear, interval, hit);
+                EXPECT_FALSE(answers[i].unsure) << "case " << draw.number();
+                ASSERT_EQ(answers[i].hit, found) << "case " << draw.number();
+                if (!found) continue;
+                ++hits;
+                EXPECT_EQ(answers[i].t, hit.t) << "case " << draw.number();
+                EXPECT_EQ(answers[i].error, hit.error) << "case " << draw.number();
+                EXPECT_EQ(answers[i].u, hit.u) << "case " << draw.number();
+                EXPECT_EQ(answers[i].v, hit.v) << "case " << draw.number();
+                EXPECT_EQ(answers[i].entering, hit.entering) << "case " << draw.number();
+            }
+        });
+        EXPECT_GT(hits, 5000u);
+    });
+}
+
+/// Equal, or both not a number.
+void expect_same(float a, float b, const Draw& draw) {
+    EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b)))
+        << "case " << draw.number() << ": " << a << " " << b;
+}
+
+TEST(OracleWide, Slabs) {
+    on_each_level([](const WideKernels& kernels) {
+        std::size_t met = 0, passed = 0;
+        Tally("boxes, side by side").run([&](Draw& draw) {
+            const Vec3d center = draw.direction() * draw.decade(-2, 2);
+            const double size = draw.decade(-3, 2);
+            const Bounds<double> box = widened(around(center, Vec3d(size, size / 2, size / 3)));
+            Bounds<double> bounds = box;
+            bounds.extend(center + draw.direction() * (size * draw.decade(0, 2)));
+            bounds = widened(bounds);
+            wide::Node node{};
+            wide::Tree tree{&node, 1, {}, {}};
+            put(bounds.min, tree.min);
+            put(bounds.max, tree.max);
+            for (int a = 0; a < 3; ++a) {
+                node.min[a][0] = clearly_below(box.min[a]);
+                node.max[a][0] = clearly_above(box.max[a]);
+            }
+            const Eight rays(draw, [&](Draw& own) { return own.ray_at(center, size); });
+            const double limit = some_limit(draw, size);
+            WideSlabs answers[lanes];
+            kernels.slabs(tree, rays.lane_rays.data(), limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i) {
+                const Ray<double>& ray = rays.rays[i];
+                const BoxRay<double> expected(bounds, ray, 0, limit);
+                const WideSlabs& answer = answers[i];
+                ASSERT_EQ(answer.misses, expected.misses) << "case " << draw.number();
+                // The place that the ray meets the box in, by exact arithmetic: the middle of what
+                // lies in it.
+                Exact in = 0, out = limit == infinity ? Exact(1e300) : Exact(limit);
+                for (int a = 0; a < 3; ++a) {
+                    const Exact d(ray.dir[a]);
+                    const Exact o = Exact(ray.origin[a]) + Exact(ray.origin_lo[a]);
+                    if (d == 0) {
+                        if (o < box.min[a] || o > box.max[a]) out = -1;
+                        continue;
+                    }
+                    const Exact t0 = (Exact(box.min[a]) - o) / d;
+                    const Exact t1 = (Exact(box.max[a]) - o) / d;
+                    in = std::max(in, std::min(t0, t1));
+                    out = std::min(out, std::max(t0, t1));
+                }
+                const bool may = !answer.misses && answer.met;
+                EXPECT_TRUE(may || in > out) << "case " << draw.number() << ": shut out";
+                (may ? met : passed) += 1;
+                if (answer.misses) continue;
+                for (int a = 0; a < 3; ++a) {
+                    expect_same(answer.enter_origin[a], expected.slabs[a].enter_origin, draw);
+                    expect_same(answer.leave_origin[a], expected.slabs[a].leave_origin, draw);
+                    expect_same(answer.enter_inverse[a], expected.slabs[a].enter_inverse, draw);
+                    expect_same(answer.leave_inverse[a], expected.slabs[a].leave_inverse, draw);
+                }
+                expect_same(answer.last, expected.parameter(limit), draw);
+            }
+        });
+        EXPECT_GT(met, 1000u);
+        EXPECT_GT(passed, 1000u);
+    });
+}
+
+TEST(OracleWide, Frame) {
+    on_each_level([](const WideKernels& kernels) {
+        Tally("rays in frames, side by side").run([&](Draw& draw) {
+            Frame<double> f;
+            for (Vec3d& row : f.to_world.rows) row = draw.direction() * draw.decade(-2, 2);
+            if (draw.number() % 4 == 0) f.to_world.rows = Affine<double>{}.rows;
+            f.to_world.shift = draw.direction() * draw.decade(-2, 2);
+            f.linear_inverse = inverse(f.to_world);
+            f.norm = f.inverse_norm = draw.decade(-1, 1);
+            f.transform_error = draw.decade(-18, -10);
+            wide::Frame frame{};
+            for (std::size_t i = 0; i < 3; ++i)
+                put(f.linear_inverse.rows[i], frame.linear_inverse[i]);
+            put(f.to_world.shift, frame.shift);
+            frame.inverse_norm = f.inverse_norm;
+            frame.transform_error = f.transform_error;
+            const Eight rays(draw, [&](Draw& own) { return own.ray_at(f.to_world.shift, 1); });
+            wide::LaneRay answers[lanes];
+            kernels.local(frame, rays.lane_rays.data(), answers);
+            for (std::size_t i = 0; i < lanes; ++i) {
+                const Ray<double> expected = to_local(rays.rays[i], f);
+                const wide::LaneRay& r = answers[i];
+                EXPECT_EQ(r.whole, expected.whole);
+                EXPECT_EQ(r.origin_error, expected.origin_error);
+                EXPECT_EQ(r.filter_error, expected.filter_error);
+                EXPECT_EQ(r.inv_squared, expected.inv_squared);
+                for (int a = 0; a < 3; ++a) {
+                    EXPECT_EQ(r.origin[a], expected.origin[a]) << "case " << draw.number();
+                    EXPECT_EQ(r.origin_lo[a], expected.origin_lo[a]) << "case " << draw.number();
+                    EXPECT_EQ(r.dir[a], expected.dir[a]) << "case " << draw.number();
+                    EXPECT_EQ(r.inv_dir[a], expected.inv_dir[a]) << "case " << draw.number();
+                }
+            }
+        });
+    });
+}
+
+TEST(OracleWide, Power) {
+    on_each_level([](const WideKernels& kernels) {
+        Tally("pow, side by side").run([&](Draw& draw) {
+            double x[lanes], y[lanes], out[lanes];
+            for (int i = 0; i < lanes; ++i) {
+                x[i] = draw.number() % 8 == 0 ? draw.decade(-300, 0) : draw.unit();
+                y[i] = draw.decade(-3, 4);
+            }
+            kernels.power(x, y, out);
+            for (int i = 0; i < lanes; ++i)
+                EXPECT_EQ(std::bit_cast<std::uint64_t>(out[i]),
+                          std::bit_cast<std::uint64_t>(elementary::pow(x[i], y[i])))
+                    << x[i] << " " << y[i];
+        });
+    });
+}
+
+}  // namespace
+}  // namespace lancer::oracle
