@@ -28,6 +28,7 @@ struct ExportJob {
     std::optional<double> min_contribution;
     bool keep_lengths = false;
     bool force = false;
+    bool resolve_coincidences = false;
     bool quiet = false;
     SceneOptions scene_options;
 };
@@ -38,7 +39,23 @@ void show_reservations(const reference::ExportResult& result, const Scene& scene
     std::vector<Diagnostic> found;
     for (const reference::Approximation& a : result.approximations)
         found.push_back({Severity::warning, a.where, a.explanation, "", {}});
+    for (const reference::Coincidence& c : result.coincidences) {
+        if (c.resolution == reference::Coincidence::Resolution::hidden) continue;
+        Diagnostic both{Severity::warning,
+                        scene.objects[c.second].place,
+                        "a face lies in one place with a face of another object; POV-Ray finds one "
+                        "of the two by no rule (coincident-surfaces)",
+                        fmt::format("--resolve-coincidences tells them apart ({})",
+                                    reference::resolution_name(c.resolution)),
+                        {}};
+        if (c.resolution == reference::Coincidence::Resolution::none)
+            both.hint = "move one of the two a little";
+        both.notes.push_back(
+            {Severity::note, scene.objects[c.first].place, "the other object", "", {}});
+        found.push_back(std::move(both));
+    }
     for (const reference::KnownDifference& d : result.known_differences) {
+        if (d.rule == reference::KnownDifference::Rule::coincident_surfaces) continue;
         const SourceSpan where =
             d.objects.empty() ? SourceSpan{} : scene.objects[d.objects.front()].place;
         found.push_back({Severity::warning,
@@ -77,7 +94,8 @@ ExitCode export_scene(const ExportJob& job, Session& session) {
         reference::export_pov(scene, view,
                               {.name = output.stem().string(),
                                .exposure = job.exposure.value_or(1),
-                               .keep_lengths = job.keep_lengths});
+                               .keep_lengths = job.keep_lengths,
+                               .resolve_coincidences = job.resolve_coincidences});
     if (session.terminal.show(result.refusals, session.sources) > 0) return ExitCode::scene;
 
     std::vector<std::pair<std::string, std::string>> files;  // names and bytes
@@ -119,6 +137,8 @@ void add_export(CLI::App& app, Action& action) {
         ->type_name("WxH");
     command.add_flag("--keep-lengths", job->keep_lengths,
                      "Lengths as in the scene, not those at which POV-Ray is most exact");
+    command.add_flag("--resolve-coincidences", job->resolve_coincidences,
+                     "Tell faces in one place apart by a hair, as Lancer's contact rule does");
     add_number(command, "--exposure", job->exposure, 1e-300, 1e300,
                "Multiply all light by X, so that nothing passes 1 and is clipped")
         ->type_name("X");

@@ -67,6 +67,11 @@ ValidationJob load(const std::string& path, const ValidateJob& job, Session& ses
     result.name = path == "-" ? "scene" : std::filesystem::path(path).stem().string();
     result.path = path;
     result.scene_words = scene_words(path, job);
+    result.place_text = [&sources = session.sources](const SourceSpan& span) {
+        if (span.file == SourceSpan::nowhere) return std::string();
+        const auto [line, column] = sources.locate(span);
+        return fmt::format("{}:{}:{}", sources.name(span.file), line, column);
+    };
     const PictureSize size = size_of(job, *scene);
     result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job.camera, session)), size.width,
                    size.height};

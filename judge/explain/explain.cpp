@@ -51,6 +51,17 @@ bool is_known(const DifferentPixel& pixel, double tolerance, const Thresholds& l
            distance(second.without(x, y).color, pixel.ours) <= limits.tight;
 }
 
+/// Whether the other program has our value once coincident faces are told apart.
+bool is_coincident(const DifferentPixel& pixel, double tolerance, const SecondLook& second) {
+    const ResolvedPicture& resolved = second.resolved();
+    const Color theirs = color_at(resolved.theirs, pixel.x, pixel.y);
+    if (distance(theirs, pixel.ours) <= tolerance) return true;
+    const double x = pixel.x + 0.5;
+    const double y = pixel.y + 0.5;
+    return distance(resolved.by_rules(x, y).color, theirs) <= tolerance &&
+           distance(resolved.without(x, y).color, pixel.ours) <= tolerance;
+}
+
 /// Whether rounding can put the edge on the other side of the centre.
 bool is_rounding(const Crossing& crossing, const Thresholds& limits) {
     return std::hypot(crossing.dx, crossing.dy) <= limits.rounding;
@@ -200,6 +211,8 @@ std::string class_name(PixelClass pixel_class) {
             return "reflected edge";
         case PixelClass::steep:
             return "steep";
+        case PixelClass::coincident:
+            return "coincident surfaces";
         case PixelClass::outlier:
             return "reference outlier";
         case PixelClass::known:
@@ -230,11 +243,14 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
         });
     };
     const ProbeFunction look = counted(probe);
-    const SecondLook look_again{counted(second.by_rules), counted(second.without), second.around};
+    const SecondLook look_again{counted(second.by_rules), counted(second.without), second.around,
+                                second.resolved};
     Mask skip = edges;
     const std::size_t most_outliers = allowed_pixels(limits.outlier_share, result.pixels);
     std::size_t asked = 0;
     std::vector<Offset> offsets;
+    std::vector<DifferentPixel> slight;  // not shown to be anything yet
+    bool coincident = false;
     for (std::size_t i = 0; i < differences.size(); ++i) {
         if (differences[i] <= std::min(limits.tight, limits.interior)) continue;
         DifferentPixel pixel;
@@ -243,23 +259,35 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
         pixel.difference = differences[i];
         pixel.ours = color_at(ours, pixel.x, pixel.y);
         pixel.theirs = color_at(theirs, pixel.x, pixel.y);
+        const bool may_look = result.rays < most_rays;
         if (pixel.difference <= limits.interior) {
-            if (result.rays < most_rays && is_known(pixel, limits.tight, limits, look_again) &&
+            if (may_look && is_known(pixel, limits.tight, limits, look_again) &&
                 is_ours(pixel, limits, look))
                 result.classes[i] = PixelClass::known;
+            else
+                slight.push_back(pixel);
             continue;
         }
-        if (result.rays >= most_rays) {
-            ++result.not_looked_at;
-        } else if (is_ours(pixel, limits, look)) {
-            classify(pixel, look, limits, look_again);
-            if (pixel.pixel_class == PixelClass::unexplained && look_again.around &&
+        if ((may_look || look_again.resolved) && is_ours(pixel, limits, look)) {
+            if (may_look) classify(pixel, look, limits, look_again);
+            // An edge that rounding cannot have moved so far explains less than a picture does.
+            const bool doubtful = pixel.pixel_class == PixelClass::unexplained ||
+                                  (is_explained(pixel.pixel_class) &&
+                                   std::hypot(pixel.offset.x, pixel.offset.y) > limits.rounding);
+            if (doubtful && look_again.resolved &&
+                is_coincident(pixel, limits.interior, look_again)) {
+                pixel.pixel_class = PixelClass::coincident;
+                pixel.offset = {};
+                coincident = true;
+            }
+            if (pixel.pixel_class == PixelClass::unexplained && may_look && look_again.around &&
                 asked < most_outliers) {
                 ++asked;
                 if (is_outlier(pixel, look, limits, look_again))
                     pixel.pixel_class = PixelClass::outlier;
             }
         }
+        if (pixel.pixel_class == PixelClass::unexplained && !may_look) ++result.not_looked_at;
         if (is_explained(pixel.pixel_class)) {
             offsets.push_back(pixel.offset);
             ++result.explained;
@@ -269,6 +297,14 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
             skip[i] = 1;
         result.classes[i] = pixel.pixel_class;
         result.different.push_back(pixel);
+    }
+    const double slight_share =
+        static_cast<double>(slight.size()) / static_cast<double>(differences.size());
+    if (look_again.resolved && (coincident || slight_share > 1 - limits.tight_share)) {
+        for (const DifferentPixel& pixel : slight) {
+            if (is_coincident(pixel, limits.tight, look_again) && is_ours(pixel, limits, look))
+                result.classes[index_of(ours, pixel.x, pixel.y)] = PixelClass::coincident;
+        }
     }
     for (const PixelClass c : result.classes) ++result.counts[static_cast<std::size_t>(c)];
 

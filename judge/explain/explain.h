@@ -47,11 +47,12 @@ enum class PixelClass : std::uint8_t {
     texture,
     secondary,
     steep,        ///< explained: the last digits of the ray decide what it brings
+    coincident,   ///< faces in one place: told apart, the other program has our value
     outlier,      ///< the other picture has our value all around the pixel's centre
     known,        ///< what the other program does otherwise by a rule of its own
     unexplained,  ///< a mistake, or not looked at for want of rays
 };
-inline constexpr std::size_t pixel_classes = 9;
+inline constexpr std::size_t pixel_classes = 10;
 std::string class_name(PixelClass pixel_class);
 
 /// A pixel over the interior threshold.
@@ -90,6 +91,15 @@ struct Judgement {
     std::size_t count(PixelClass c) const { return counts[static_cast<std::size_t>(c)]; }
 };
 
+/// The other program's picture of the scene in which faces that coincide are told apart as our
+/// contact rule tells them apart.
+struct ResolvedPicture {
+    Image theirs;
+    // As in SecondLook, of the scene in which the faces are told apart.
+    ProbeFunction by_rules;
+    ProbeFunction without;
+};
+
 /// What is asked of a pixel that differs. All may be empty.
 struct SecondLook {
     // The picture by a recursion that is not our renderer's own.
@@ -98,6 +108,8 @@ struct SecondLook {
     /// The other program's picture of 3 x 3 points, `pitch` pixels apart, around the centre of
     /// pixel (x, y). Costs a run of that program.
     std::function<Image(int x, int y, double pitch)> around{};
+    /// Empty where no faces coincide. Costs a run of that program when it is first asked.
+    std::function<const ResolvedPicture&()> resolved{};
 };
 
 /// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
@@ -111,6 +123,10 @@ struct SecondLook {
 /// the same side: the count of displaced edges and the mean of the offsets show it. On what is
 /// shaded smoothly it shows as a difference along the gradient, which no edge explains, and by
 /// registration.
+///
+/// Where faces coincide, the other program has no rule which of them it finds. It is asked once
+/// more with the faces a hair apart, and must have our value in the pixel then, or what its rules
+/// make of it: so it is not our picture that is wrong.
 ///
 /// Where nothing explains a pixel, the other program is asked for what lies around its centre. When
 /// the values to both sides have ours for their mean, in two directions at least, its own picture

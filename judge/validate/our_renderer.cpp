@@ -12,7 +12,8 @@ ProbeFunction probe_of(std::shared_ptr<const Renderer> renderer, const View& vie
     };
 }
 
-/// Compiles when it is first asked: most pictures have no pixel to ask about.
+}  // namespace
+
 ProbeFunction probe_by_rules(const std::shared_ptr<const Scene>& scene, const View& view,
                              const PovRayRules& rules) {
     return [scene, view, rules, probe = ProbeFunction()](double x, double y) mutable {
@@ -20,8 +21,6 @@ ProbeFunction probe_by_rules(const std::shared_ptr<const Scene>& scene, const Vi
         return probe(x, y);
     };
 }
-
-}  // namespace
 
 View tracer_view(const reference::ExportView& exported) {
     View view;

@@ -32,6 +32,10 @@ using OurRenderer = std::function<OurPicture(const std::shared_ptr<const Scene>&
 OurPicture render_ours(const std::shared_ptr<const Scene>& scene,
                        const reference::ExportView& view);
 
+/// Probes of a scene by the judge's own recursion. Compiles when it is first asked.
+ProbeFunction probe_by_rules(const std::shared_ptr<const Scene>& scene, const View& view,
+                             const PovRayRules& rules);
+
 /// The tracer's view of what the exporter was asked to show.
 View tracer_view(const reference::ExportView& view);
 

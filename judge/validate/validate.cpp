@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "judge/report/shell_text.h"
 #include "judge/validate/exposure.h"
@@ -26,6 +27,18 @@ ProbeFunction exposed(ProbeFunction probe, double exposure) {
     };
 }
 
+std::string text_of(const reference::Coincidence& coincidence, const ValidationJob& job) {
+    const auto object = [&](std::uint32_t index) {
+        const Object& shown = job.scene->objects[index];
+        const std::string place = job.place_text ? job.place_text(shown.place) : "";
+        const std::string name =
+            shown.name == none ? "" : fmt::format(" \"{}\"", job.scene->names[shown.name]);
+        return fmt::format("object {}{}{}", index + 1, name, place.empty() ? "" : " at " + place);
+    };
+    return fmt::format("{} and {}: {}", object(coincidence.first), object(coincidence.second),
+                       reference::resolution_name(coincidence.resolution));
+}
+
 /// The exporter's result taken over; false when the scene goes no further.
 bool take_export(Validation& result, const ValidationJob& job, reference::ExportResult& exported) {
     result.factor = exported.factor;
@@ -34,6 +47,9 @@ bool take_export(Validation& result, const ValidationJob& job, reference::Export
     for (const reference::Approximation& a : exported.approximations) {
         result.approximations.push_back(a.explanation);
     }
+    result.coincidences = exported.coincidences;
+    for (const reference::Coincidence& c : exported.coincidences)
+        result.coincidence_texts.push_back(text_of(c, job));
     result.refusals = exported.refusals;
     if (exported.refusals.empty()) {
         if (!job.expect.refused) return true;
@@ -48,7 +64,7 @@ bool take_export(Validation& result, const ValidationJob& job, reference::Export
     return false;
 }
 
-/// Asks POV-Ray about parts of the picture.
+/// Asks POV-Ray about parts and variants of the scene.
 class PovRayAgain {
   public:
     PovRayAgain(const ValidationJob& job, const reference::ExportOptions& options,
@@ -62,6 +78,27 @@ class PovRayAgain {
                        reference::CloseUp::points, reference::CloseUp::points);
     }
 
+    const ResolvedPicture& resolved() {
+        if (resolved_) return *resolved_;
+        reference::ExportOptions apart = options_;
+        apart.resolve_coincidences = true;
+        reference::ExportResult exported = reference::export_pov(*job_.scene, job_.view, apart);
+        const PovRayRules rules = rules_of(exported);
+        PovRayRules none = rules;
+        none.followed = false;
+        const bool merged = std::any_of(
+            exported.coincidences.begin(), exported.coincidences.end(),
+            [](auto& c) { return c.resolution == reference::Coincidence::Resolution::merged; });
+        // The recursion merges no bodies, but knows that glued ones of one glass are one.
+        const std::shared_ptr<const Scene> scene = merged ? job_.scene : exported.resolved;
+        const View view = tracer_view(job_.view);
+        resolved_.emplace();
+        resolved_->theirs = picture(std::move(exported), job_.view.width, job_.view.height);
+        resolved_->by_rules = exposed(probe_by_rules(scene, view, rules), options_.exposure);
+        resolved_->without = exposed(probe_by_rules(scene, view, none), options_.exposure);
+        return *resolved_;
+    }
+
   private:
     Image picture(reference::ExportResult exported, int width, int height) const {
         const reference::PovJob job{job_.name, std::move(exported.text), std::move(exported.assets),
@@ -73,10 +110,23 @@ class PovRayAgain {
     reference::ExportOptions options_;
     const reference::PovRay& povray_;
     const reference::PovOptions& pov_options_;
+    std::optional<ResolvedPicture> resolved_;
 };
 
+/// Whether faces coincide and all of them can be told apart. Were some left, POV-Ray could have our
+/// value there by chance in one of two pictures.
+bool can_be_resolved(const std::vector<reference::Coincidence>& coincidences) {
+    using Resolution = reference::Coincidence::Resolution;
+    const auto are = [&](Resolution resolution) {
+        return static_cast<std::size_t>(
+            std::count_if(coincidences.begin(), coincidences.end(),
+                          [&](const auto& c) { return c.resolution == resolution; }));
+    };
+    return are(Resolution::none) == 0 && are(Resolution::hidden) < coincidences.size();
+}
+
 void judge_result(Validation& result, const OurPicture& ours, const PovRayRules& rules,
-                  const PovRayAgain& again) {
+                  PovRayAgain& again) {
     reference::CompareOptions options;
     options.fail = result.thresholds.interior;
     options.fail_percent = 100;  // the judgement decides, not this
@@ -95,6 +145,8 @@ void judge_result(Validation& result, const OurPicture& ours, const PovRayRules&
         second.without = exposed(ours.by_rules(none), result.exposure);
     }
     second.around = [&](int x, int y, double pitch) { return again.around(x, y, pitch); };
+    if (can_be_resolved(result.coincidences))
+        second.resolved = [&]() -> const ResolvedPicture& { return again.resolved(); };
     result.judgement =
         judge_pictures(result.ours, result.theirs, exposed(ours.probe, result.exposure),
                        result.thresholds, second, rays_for_explaining(ours.rays));
@@ -130,7 +182,7 @@ void validate(Validation& result, const ValidationJob& job, const OurRenderer& r
     result.pov_command = picture.command;
     result.theirs = std::move(picture.image);
     tell(0.8, "differences are explained");
-    const PovRayAgain again(job, export_options, povray, options);
+    PovRayAgain again(job, export_options, povray, options);
     judge_result(result, ours, rules, again);
 }
 

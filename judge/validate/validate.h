@@ -24,6 +24,8 @@ struct ValidationJob {
     /// The path and the options that choose the scene (--camera, -D), quoted for a shell: for the
     /// commands in the report.
     std::string scene_words;
+    /// `file:line:column` of a place in the script, for people; may be empty.
+    std::function<std::string(const SourceSpan&)> place_text{};
     std::shared_ptr<const Scene> scene;
     reference::ExportView view;
     Expectations expect;
@@ -57,7 +59,9 @@ struct Validation {
     double factor = 1;    ///< of lengths in the export
     double exposure = 1;  ///< of light, in both pictures
     std::vector<reference::KnownDifference> known_differences;
-    std::string pov_text;  ///< the exported scene
+    std::vector<reference::Coincidence> coincidences;
+    std::vector<std::string> coincidence_texts;  ///< one each, with both objects' places
+    std::string pov_text;                        ///< the exported scene
     std::vector<reference::Asset> pov_assets;
     std::vector<std::string> approximations;
     std::vector<std::string> expectations;

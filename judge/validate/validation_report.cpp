@@ -12,6 +12,9 @@ namespace lancer::judge {
 
 namespace {
 
+/// Pairs of objects with faces in one place that a page lists.
+constexpr std::size_t most_pairs_told = 20;
+
 std::string percent(double share) {
     return fmt::format("{:.6g} %", share * 100);
 }
@@ -40,6 +43,9 @@ void add_measures(ReportEntry& entry, const Validation& v) {
         "≤ " + percent(t.displaced_share), within(j.displaced, t.displaced_share));
     add("Known differences, shown by POV-Ray's rule", std::to_string(j.count(PixelClass::known)),
         "", true);
+    if (j.count(PixelClass::coincident) > 0)
+        add("Coincident surfaces: told apart, POV-Ray has Lancer's value",
+            std::to_string(j.count(PixelClass::coincident)), "", true);
     add("Outliers, which POV-Ray's own picture denies",
         fmt::format("{} of {}", j.count(PixelClass::outlier), j.pixels),
         "≤ " + percent(t.outlier_share), true);
@@ -87,6 +93,8 @@ void add_markers(ReportEntry& entry, const Validation& v) {
         if (p.pixel_class == PixelClass::outlier) text += "; POV-Ray has our value around it";
         if (p.pixel_class == PixelClass::known)
             text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
+        if (p.pixel_class == PixelClass::coincident)
+            text += "; POV-Ray has ours where coincident faces are told apart";
         entry.markers.push_back({p.x, p.y, kind, std::move(text), p.difference, p.ours, p.theirs});
     }
     sort_markers(entry.markers);
@@ -116,6 +124,7 @@ std::string summary_of(const Validation& v) {
     };
     add(j.explained, j.explained == 1 ? "lies on an edge" : "lie on edges");
     add(j.count(PixelClass::known), "by a rule of POV-Ray's");
+    add(j.count(PixelClass::coincident), "where surfaces coincide, shown by a second export");
     add(j.count(PixelClass::outlier), "that POV-Ray's own picture denies");
     add(j.count(PixelClass::unexplained), "unexplained");
     return fmt::format("{} of {} pixels agree to {}{}{}.", j.count(PixelClass::agrees), j.pixels,
@@ -145,6 +154,17 @@ void add_notes(ReportEntry& entry, const Validation& v) {
         entry.notes.push_back(
             {"POV-Ray does otherwise: " + reference::rule_name(known.rule), known.explanation});
     }
+    // Opaque on opaque is no matter: no ray gets there.
+    std::vector<std::string> told;
+    for (std::size_t i = 0; i < v.coincidences.size(); ++i)
+        if (v.coincidences[i].resolution != reference::Coincidence::Resolution::hidden)
+            told.push_back(v.coincidence_texts[i]);
+    if (told.size() > most_pairs_told) {
+        const std::size_t more = told.size() - most_pairs_told;
+        told.resize(most_pairs_told);
+        told.push_back(fmt::format("and {} more", more));
+    }
+    for (const std::string& text : told) entry.notes.push_back({"In one place", text});
     for (const std::string& approximation : v.approximations) {
         entry.notes.push_back({"Approximated", approximation});
     }

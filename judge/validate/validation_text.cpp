@@ -11,18 +11,19 @@
 namespace lancer::judge {
 
 std::string table_head(std::size_t name_width) {
-    return fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>9} {:>11} {:>6} {:>7} {:>9}\n", "scene",
+    return fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>9} {:>11} {:>6} {:>10} {:>7} {:>9}\n", "scene",
                        name_width, "verdict", "interior", "within", "explained", "unexplained",
-                       "known", "ours", "POV-Ray");
+                       "known", "coincident", "ours", "POV-Ray");
 }
 
 std::string table_row(const Validation& v, std::size_t name_width) {
     std::string row = fmt::format("{:<{}}  {:<8}", v.name, name_width, verdict_name(v.verdict));
     if (v.comparison.comparable) {
         const Judgement& j = v.judgement;
-        row += fmt::format(" {:>9.2g} {:>7.3f} % {:>9} {:>11} {:>6}", j.interior_max,
+        row += fmt::format(" {:>9.2g} {:>7.3f} % {:>9} {:>11} {:>6} {:>10}", j.interior_max,
                            j.tight_share * 100, j.explained + j.count(PixelClass::outlier),
-                           j.count(PixelClass::unexplained), j.count(PixelClass::known));
+                           j.count(PixelClass::unexplained), j.count(PixelClass::known),
+                           j.count(PixelClass::coincident));
         row += fmt::format(" {:>5.2f} s {:>7.2f} s{}", v.our_seconds, v.pov_seconds,
                            v.from_cache ? " (kept)" : "");
     }
@@ -84,6 +85,12 @@ nlohmann::ordered_json scene_json(const Validation& v) {
                          {"displaced", j.displaced}};
     json["outliers"] = j.count(PixelClass::outlier);
     json["known"] = j.count(PixelClass::known);
+    json["coincident"] = j.count(PixelClass::coincident);
+    json["coincidences"] = nlohmann::ordered_json::array();
+    for (const reference::Coincidence& c : v.coincidences)
+        json["coincidences"].push_back({{"first", c.first},
+                                        {"second", c.second},
+                                        {"resolution", reference::resolution_name(c.resolution)}});
     json["not_looked_at"] = j.not_looked_at;
     json["explaining_rays"] = j.rays;
     json["edge_shift"] = shift_json(j.edge_shift);

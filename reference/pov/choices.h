@@ -23,6 +23,10 @@ inline constexpr double periods = 1000000.000000001;
 /// How far from the ends of a cylinder of height 1 its caps begin: more than rounding puts them.
 inline constexpr double cap_margin = 1e-9;
 
+/// By which objects move where faces coincide: hits nearer than 1e-4 are dropped, shadows nearer
+/// than 1e-3.
+inline constexpr double resolving_step_length = 5e-3;
+
 /// The distance of a parallel light: beyond all objects, within POV-Ray's 1e7.
 inline constexpr double far_away = 5e6;
 

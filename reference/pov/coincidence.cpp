@@ -1,121 +1,135 @@
 #include "reference/pov/coincidence.h"
 
 #include <algorithm>
-#include <limits>
+#include <tuple>
+#include <utility>
 
-#include "reference/pov/export_scale.h"
+#include "model/bodies.h"
+#include "reference/pov/materials.h"
 
 namespace lancer::reference::pov {
 
 namespace {
 
-/// Points p with normal·p = offset, within `bounds`.
-struct Face {
-    std::uint32_t object;
-    Vec3d normal;  ///< unit
-    double offset;
-    Bounds bounds;
-};
+using Resolution = Coincidence::Resolution;
 
-/// The flat faces of one object.
-struct FaceFinder {
-    const Affine<double>& to_world;
-    std::uint32_t object;
-    std::vector<Face>& out;
-    const Scene& scene;
-
-    /// A face given by its corners in the object's own space.
-    void polygon(std::initializer_list<Vec3d> corners) const {
-        std::vector<Vec3d> p;
-        for (const Vec3d& corner : corners) p.push_back(map_point(to_world, corner));
-        const Vec3d across = cross(p[1] - p[0], p[2] - p[0]);
-        if (!(length(across) > 0)) return;
-        Face face{object, normalize(across), 0, {}};
-        face.offset = dot(face.normal, p[0]);
-        for (const Vec3d& corner : p) face.bounds.add(corner);
-        out.push_back(face);
-    }
-    void rectangle(const Vec3d& corner, const Vec3d& a, const Vec3d& b) const {
-        polygon({corner, corner + a, corner + b, corner + a + b});
-    }
-
-    void operator()(const Box& box) const {
-        const Vec3d d = box.max - box.min;
-        const Vec3d x(d.x, 0, 0), y(0, d.y, 0), z(0, 0, d.z);
-        for (const auto& [a, b, c] :
-             {std::array{x, y, z}, std::array{y, z, x}, std::array{z, x, y}}) {
-            rectangle(box.min, a, b);
-            rectangle(box.min + c, a, b);
-        }
-    }
-    void disc(const Vec3d& center, const Vec3d& axis, double radius) const {
-        if (radius <= 0) return;
-        const Vec3d w = normalize(axis);
-        const Vec3d u =
-            normalize(cross(w, std::abs(w.x) > 0.5 ? Vec3d(0, 1, 0) : Vec3d(1, 0, 0))) * radius;
-        const Vec3d v = cross(w, u);
-        rectangle(center - u - v, 2.0 * u, 2.0 * v);
-    }
-    void operator()(const Cylinder& s) const {
-        if (!s.capped) return;
-        disc(s.base, s.top - s.base, s.radius);
-        disc(s.top, s.top - s.base, s.radius);
-    }
-    void operator()(const Cone& s) const {
-        if (!s.capped) return;
-        disc(s.base, s.top - s.base, s.base_radius);
-        disc(s.top, s.top - s.base, s.top_radius);
-    }
-    void operator()(const PrismRef& s) const {
-        const Prism& prism = scene.prisms[s.prism];
-        if (!prism.capped) return;
-        const Bounds b = *shape_bounds(scene, s);
-        for (const double y : {prism.bottom, prism.top})
-            rectangle({b.low.x, y, b.low.z}, {b.high.x - b.low.x, 0, 0},
-                      {0, 0, b.high.z - b.low.z});
-    }
-    void operator()(const Triangle& s) const { polygon({s.points[0], s.points[1], s.points[2]}); }
-    void operator()(const Plane& s) const {
-        const Vec3d own = normalize(s.normal);
-        // A normal moves with the transposed inverse.
-        const Vec3d n = normalize(map_transposed(inverse(to_world), own));
-        Face face{object, n, dot(n, map_point(to_world, own * s.offset)), {}};
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        face.bounds.add(Vec3d(-infinity));
-        face.bounds.add(Vec3d(infinity));
-        out.push_back(face);
-    }
-    // Curved, or flat in no way that would be known here.
-    void operator()(const Sphere&) const {}
-    void operator()(const MeshRef&) const {}
-    void operator()(const PatchRef&) const {}
-    void operator()(const LatheRef&) const {}
-};
-
-bool coincide(const Face& a, const Face& b) {
-    const double cosine = dot(a.normal, b.normal);
-    if (std::abs(cosine) < 1 - 1e-12 || !a.bounds.overlaps(b.bounds)) return false;
-    const double distance = std::abs(a.offset - (cosine > 0 ? b.offset : -b.offset));
-    return distance <= 1e-9 * std::max({1e-3, std::abs(a.offset), std::abs(b.offset)});
+bool is_equal(const Material& a, const Material& b) {
+    const auto parts = [](const Material& m) {
+        return std::tie(m.color, m.texture, m.ambient, m.diffuse, m.emission, m.phong, m.shininess,
+                        m.blinn, m.roughness, m.metallic, m.reflection, m.fresnel, m.transmission,
+                        m.filter, m.ior, m.absorption, m.diffuse_transmission,
+                        m.phong_transmission);
+    };
+    return parts(a) == parts(b);
 }
+
+/// What the contact rule asks of an object: docs/shading.md, "Contact".
+struct Kind {
+    bool body = false;
+    bool clear = false;  ///< lets light pass
+};
+
+class Resolver {
+  public:
+    explicit Resolver(const Scene& scene) : scene_(scene) {
+        for (const Object& object : scene.objects)
+            kinds_.push_back({is_body(scene, object.shape),
+                              lets_light_pass(scene, scene.materials[object.material])});
+    }
+
+    FacePair pair_of(Face a, Face b) const {
+        if (b.object < a.object) std::swap(a, b);
+        const Kind& first = kinds_[a.object];
+        const Kind& second = kinds_[b.object];
+        FacePair pair{a, b, look_alike(a, b), Resolution::none};
+        if (!first.body || !second.body) {
+            with_sheet(pair, first, second);
+        } else if (pair.alike) {
+            // What the ray meets first is what shows, or what it enters first.
+            if (first.clear && second.clear) return pair;
+            if (second.clear || !first.clear)
+                pair.resolution = Resolution::in_front;
+            else
+                in_front(pair, pair.back, pair.front);
+        } else if (!first.clear && !second.clear) {
+            pair.resolution = Resolution::hidden;
+        } else if (first.clear != second.clear) {
+            pair.resolution = Resolution::sunk;
+            if (!first.clear) std::swap(pair.front, pair.back);
+        } else if (!is_same_matter(a.object, b.object)) {
+            pair.resolution = Resolution::overlapped;
+        } else if (can_be_merged(a.object, b.object)) {
+            pair.resolution = Resolution::merged;
+        }
+        return pair;
+    }
+
+  private:
+    static void in_front(FacePair& pair, const Face& front, const Face& back) {
+        pair = FacePair{front, back, true, Resolution::in_front};
+    }
+
+    /// A sheet is seen from both sides, so only a body can hide it, or be hidden from outside.
+    static void with_sheet(FacePair& pair, const Kind& first, const Kind& second) {
+        if (!first.body && !second.body) return;
+        const bool sheet_is_first = !first.body;
+        const Kind& sheet = sheet_is_first ? first : second;
+        const Kind& body = sheet_is_first ? second : first;
+        const Face of_sheet = sheet_is_first ? pair.front : pair.back;
+        const Face of_body = sheet_is_first ? pair.back : pair.front;
+        if (sheet.clear && body.clear) return;
+        if (sheet.clear)
+            in_front(pair, of_body, of_sheet);
+        else if (body.clear)
+            pair = FacePair{of_body, of_sheet, false, Resolution::sunk};
+        else if (sheet_is_first)
+            in_front(pair, of_sheet, of_body);
+        else
+            in_front(pair, of_body, of_sheet);
+    }
+
+    bool is_same_matter(std::uint32_t a, std::uint32_t b) const {
+        const Material& matter = scene_.materials[scene_.objects[a].material];
+        return is_equal(matter, scene_.materials[scene_.objects[b].material]) &&
+               texture_of(scene_, matter) == nullptr;
+    }
+
+    bool can_be_merged(std::uint32_t a, std::uint32_t b) const {
+        return scene_.objects[a].casts_shadow == scene_.objects[b].casts_shadow;
+    }
+
+    const Scene& scene_;
+    std::vector<Kind> kinds_;
+};
 
 }  // namespace
 
-std::vector<std::uint32_t> coincident_objects(const Scene& scene) {
-    std::vector<Face> faces;
-    for (std::uint32_t i = 0; i < scene.objects.size() && faces.size() < 2000; ++i) {
-        const Object& object = scene.objects[i];
-        std::visit(FaceFinder{scene.transforms[object.transform], i, faces, scene}, object.shape);
-    }
-    std::vector<bool> found(scene.objects.size());
+std::vector<FacePair> face_pairs(const Scene& scene) {
+    constexpr std::size_t most = 4000;
+    const std::vector<Face> faces = faces_of(scene, most);
+    const Resolver resolver(scene);
+    std::vector<FacePair> pairs;
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (std::size_t j = i + 1; j < faces.size(); ++j)
             if (faces[i].object != faces[j].object && coincide(faces[i], faces[j]))
-                found[faces[i].object] = found[faces[j].object] = true;
-    std::vector<std::uint32_t> out;
-    for (std::uint32_t i = 0; i < found.size(); ++i)
-        if (found[i]) out.push_back(i);
-    return out;
+                pairs.push_back(resolver.pair_of(faces[i], faces[j]));
+    return pairs;
+}
+
+std::vector<Coincidence> coincidences(const std::vector<FacePair>& pairs) {
+    std::vector<Coincidence> found;
+    for (const FacePair& pair : pairs) {
+        const auto [first, second] = std::minmax(pair.front.object, pair.back.object);
+        const auto same = [&, first = first, second = second](const Coincidence& c) {
+            return c.first == first && c.second == second && c.resolution == pair.resolution;
+        };
+        if (std::none_of(found.begin(), found.end(), same))
+            found.push_back({first, second, pair.resolution});
+    }
+    std::sort(found.begin(), found.end(), [](const Coincidence& a, const Coincidence& b) {
+        return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+    });
+    return found;
 }
 
 }  // namespace lancer::reference::pov

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "model/bodies.h"
-#include "reference/pov/coincidence.h"
 #include "reference/pov/materials.h"
 
 namespace lancer::reference::pov {
@@ -47,7 +46,7 @@ class Search {
         for (const Object& object : scene.objects) objects_.push_back(traits_of(object));
     }
 
-    std::vector<KnownDifference> run() {
+    std::vector<KnownDifference> run(const std::vector<Coincidence>& coincidences) {
         find_absorption();
         find_refraction();
         find_recursion();
@@ -57,7 +56,7 @@ class Search {
         add(Rule::coincident_surfaces,
             "where surfaces coincide POV-Ray finds one of them by no rule; Lancer resolves them "
             "together",
-            coincident_objects(scene_));
+            in_one_place(coincidences));
         return std::move(found_);
     }
 
@@ -85,6 +84,17 @@ class Search {
             t.bounds.high = scale_(t.bounds.high);
         }
         return t;
+    }
+
+    static std::vector<std::uint32_t> in_one_place(const std::vector<Coincidence>& coincidences) {
+        std::vector<std::uint32_t> objects;
+        for (const Coincidence& c : coincidences) {
+            objects.push_back(c.first);
+            objects.push_back(c.second);
+        }
+        std::sort(objects.begin(), objects.end());
+        objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+        return objects;
     }
 
     void add(Rule rule, const std::string& explanation, std::vector<std::uint32_t> objects) {
@@ -218,8 +228,9 @@ class Search {
 
 }  // namespace
 
-std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen scale) {
-    return Search(scene, scale).run();
+std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen scale,
+                                               const std::vector<Coincidence>& coincidences) {
+    return Search(scene, scale).run(coincidences);
 }
 
 }  // namespace lancer::reference::pov

@@ -10,6 +10,7 @@ namespace lancer::reference::pov {
 
 /// The rules that this scene can meet, each with the objects where it can show. Errs on the side of
 /// naming one: boxes stand for objects where only these are compared.
-std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen scale);
+std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen scale,
+                                               const std::vector<Coincidence>& coincidences);
 
 }  // namespace lancer::reference::pov

@@ -1,10 +1,16 @@
 #include "reference/pov/export.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <map>
 
+#include "reference/pov/choices.h"
+#include "reference/pov/coincidence.h"
 #include "reference/pov/declaration_order.h"
 #include "reference/pov/differences.h"
 #include "reference/pov/export_scale.h"
+#include "reference/pov/resolution.h"
 #include "reference/pov/writer.h"
 
 namespace lancer::reference {
@@ -23,7 +29,66 @@ void Writer::approximate(const SourceSpan& where, const std::string& explanation
     result.approximations.push_back({explanation, where});
 }
 
+namespace {
+
+PowerOfTen scale_for(const Scene& scene, const ExportView& view, const ExportOptions& options) {
+    if (options.decades) return {*options.decades};
+    if (options.resolve_coincidences) return largest_scale(scene, view);
+    return export_scale(scene, view, options.keep_lengths);
+}
+
+/// Of a resolution, in units of the scene: some times POV-Ray's least distance of a shadow, and
+/// more than single precision leaves of a bounding box, behind which POV-Ray looks for nothing.
+double resolving_step(const Scene& scene, const std::vector<FacePair>& pairs, PowerOfTen scale) {
+    double farthest = 0;
+    for (const FacePair& pair : pairs) {
+        for (const std::uint32_t i : {pair.front.object, pair.back.object}) {
+            const Object& object = scene.objects[i];
+            const auto own = shape_bounds(scene, object.shape);
+            if (!own) continue;
+            const Bounds bounds = moved(scene.transforms[object.transform], *own);
+            for (int axis = 0; axis < 3; ++axis)
+                farthest =
+                    std::max({farthest, std::abs(bounds.low[axis]), std::abs(bounds.high[axis])});
+        }
+    }
+    return std::max(scale.inverse()(resolving_step_length), 1e-6 * farthest);
+}
+
+void write_objects(Writer& writer) {
+    std::map<std::uint32_t, const std::vector<std::uint32_t>*> groups;
+    for (const auto& group : writer.merged)
+        for (const std::uint32_t member : group) groups.emplace(member, &group);
+    for (const std::uint32_t i : declaration_order(writer.scene, writer.view)) {
+        const auto found = groups.find(i);
+        if (found == groups.end())
+            write_object(writer, i);
+        else if (found->second->front() == i)
+            write_merged(writer, *found->second);
+    }
+}
+
+}  // namespace
+
 }  // namespace pov
+
+std::string resolution_name(Coincidence::Resolution resolution) {
+    switch (resolution) {
+        case Coincidence::Resolution::hidden:
+            return "hidden";
+        case Coincidence::Resolution::sunk:
+            return "sunk into the opaque one";
+        case Coincidence::Resolution::merged:
+            return "glued to one body";
+        case Coincidence::Resolution::overlapped:
+            return "overlapping";
+        case Coincidence::Resolution::in_front:
+            return "one in front of the other";
+        case Coincidence::Resolution::none:
+            return "unresolved";
+    }
+    return "";
+}
 
 std::string rule_name(KnownDifference::Rule rule) {
     switch (rule) {
@@ -60,10 +125,15 @@ std::string rule_name(KnownDifference::Rule rule) {
 ExportResult export_pov(const Scene& scene, const ExportView& view, const ExportOptions& options) {
     assert(view.camera < scene.cameras.size() && view.width > 0 && view.height > 0);
     ExportResult result;
-    const pov::PowerOfTen scale = options.decades
-                                      ? pov::PowerOfTen{*options.decades}
-                                      : pov::export_scale(scene, view, options.keep_lengths);
-    pov::Writer writer{scene, view, options, result, scale, {}, {}, {}, {}};
+    const pov::PowerOfTen scale = pov::scale_for(scene, view, options);
+    const std::vector<pov::FacePair> pairs = pov::face_pairs(scene);
+    pov::ResolvedScene shown{scene, {}, pairs};
+    if (!pairs.empty())
+        shown = pov::resolved(scene, pairs, pov::resolving_step(scene, pairs, scale));
+    result.coincidences = pov::coincidences(shown.pairs);
+    if (!options.resolve_coincidences) shown = {scene, {}, {}};
+    if (options.resolve_coincidences) result.resolved = std::make_shared<Scene>(shown.scene);
+    pov::Writer writer{shown.scene, view, options, result, scale, {}, {}, {}, {}, shown.merged};
     result.factor = scale.factor();
     result.decades = scale.exponent;
     result.unit = scale.inverse().factor();
@@ -77,9 +147,9 @@ ExportResult export_pov(const Scene& scene, const ExportView& view, const Export
     writer.text.blank();
     declare_textures(writer);
     writer.text.blank();
-    for (const std::uint32_t i : pov::declaration_order(scene, view)) write_object(writer, i);
+    pov::write_objects(writer);
 
-    result.known_differences = pov::known_differences(scene, scale);
+    result.known_differences = pov::known_differences(scene, scale, result.coincidences);
     if (result.refusals.empty())
         result.text = writer.text.take();
     else

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,10 @@ struct ExportOptions {
     /// Lengths are multiplied by ten to this power instead, whatever POV-Ray makes of them: for
     /// finding out where its constants begin to show.
     std::optional<int> decades{};
+    /// Where faces coincide, which POV-Ray resolves by no rule, objects grow or move by a few
+    /// thousandths of POV-Ray's unit, so that POV-Ray must do as Lancer's contact rule says; and
+    /// the whole is larger, so that nobody sees it. For asking POV-Ray what it makes of that.
+    bool resolve_coincidences = false;
     /// The camera looks at this place of the view's picture alone.
     std::optional<CloseUp> close_up{};
 };
@@ -73,6 +78,25 @@ struct KnownDifference {
         objects;  ///< indices into Scene::objects where it can show; may be empty
 };
 
+/// Faces of two objects in one place.
+struct Coincidence {
+    /// How it is resolved by moving one of the two a little, as Lancer's contact rule resolves it.
+    enum class Resolution {
+        hidden,      ///< opaque on opaque: no ray gets there
+        sunk,        ///< a clear body on an opaque surface: sunk into it
+        merged,      ///< one glass, glued: one body
+        overlapped,  ///< clear bodies of two materials, face to face: entered before left
+        in_front,    ///< one face in front of another: the opaque one, of two the first declared
+        none,        ///< clear in clear, a clear sheet on clear glass, two sheets: no such way
+    };
+    std::uint32_t first = 0;  ///< index into Scene::objects
+    std::uint32_t second = 0;
+    Resolution resolution = Resolution::none;
+};
+
+/// "glued, one body" and so on.
+std::string resolution_name(Coincidence::Resolution resolution);
+
 /// "absorption-inside" and so on: the name used in reports and in docs/export.md.
 std::string rule_name(KnownDifference::Rule rule);
 
@@ -90,6 +114,9 @@ struct ExportResult {
     double exposure = 1;  ///< as in the options
     std::vector<KnownDifference> known_differences;
     std::vector<Approximation> approximations;
+    std::vector<Coincidence> coincidences;
+    /// With resolve_coincidences: the scene that `text` says, but for bodies that are merged there.
+    std::shared_ptr<const Scene> resolved;
     double unit = 1;  ///< POV-Ray's unit of length in the scene's: 1 / factor
     /// Of the patches, in the order of Scene::patches: POV-Ray draws each as 2^h x 2^h x 2
     /// triangles.

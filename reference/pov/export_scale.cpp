@@ -123,7 +123,15 @@ std::optional<Bounds> shape_bounds(const Scene& scene, const Shape& shape) {
     return bounds;
 }
 
-PowerOfTen export_scale(const Scene& scene, const ExportView& view, bool keep) {
+namespace {
+
+/// What an exporter's scale depends on.
+struct SceneSize {
+    double whole = 0;    ///< diagonal of all bounded objects and the camera
+    double typical = 0;  ///< of an object: the median
+};
+
+SceneSize size_of(const Scene& scene, const ExportView& view) {
     const Camera& camera = scene.cameras[view.camera];
     Bounds all;
     all.add(camera.position);
@@ -142,11 +150,28 @@ PowerOfTen export_scale(const Scene& scene, const ExportView& view, bool keep) {
         std::nth_element(sizes.begin(), middle, sizes.end());
         typical = *middle;
     }
-    if (!(typical > 0) || !std::isfinite(typical)) return {};
-    if (keep && typical >= 0.05 && typical <= 500 && all.diagonal() <= 1e6) return {};
-    const int least = -decade(typical);
-    if (!(all.diagonal() > 0) || !std::isfinite(all.diagonal())) return {least};
-    return {std::max(least, std::min(2 + least, 4 - decade(all.diagonal())))};
+    return {all.diagonal(), typical};
+}
+
+bool is_size(double value) {
+    return value > 0 && std::isfinite(value);
+}
+
+}  // namespace
+
+PowerOfTen export_scale(const Scene& scene, const ExportView& view, bool keep) {
+    const SceneSize size = size_of(scene, view);
+    if (!is_size(size.typical)) return {};
+    if (keep && size.typical >= 0.05 && size.typical <= 500 && size.whole <= 1e6) return {};
+    const int least = -decade(size.typical);
+    if (!is_size(size.whole)) return {least};
+    return {std::max(least, std::min(2 + least, 4 - decade(size.whole)))};
+}
+
+PowerOfTen largest_scale(const Scene& scene, const ExportView& view) {
+    const SceneSize size = size_of(scene, view);
+    if (!is_size(size.whole)) return export_scale(scene, view, false);
+    return {5 - decade(size.whole)};
 }
 
 ObjectSpace object_space(const Affine<double>& to_world, PowerOfTen scale) {

@@ -36,6 +36,9 @@ Bounds moved(const Affine<double>& map, const Bounds& bounds);
 /// for their size. `keep`: 1 for a scene whose objects are 0.05 to 500 in size.
 PowerOfTen export_scale(const Scene& scene, const ExportView& view, bool keep);
 
+/// As large as POV-Ray can see: the whole scene is 100,000 to 1,000,000 in size.
+PowerOfTen largest_scale(const Scene& scene, const ExportView& view);
+
 /// How an object's own space is brought near the size that it has in the picture: lengths in its
 /// own space are multiplied by `own` before the matrix `to_picture` takes them there.
 struct ObjectSpace {

@@ -58,24 +58,63 @@ bool open_shape(Writer& writer, const Object& object, PowerOfTen own) {
     return std::visit(ShapeOpener{writer, object, own}, object.shape);
 }
 
-void write_object(Writer& writer, std::uint32_t index) {
+namespace {
+
+/// The words of an object, without its end. False where there are none.
+bool open_object(Writer& writer, std::uint32_t index) {
     const Scene& scene = writer.scene;
     const Object& object = scene.objects[index];
-    const Material& material = scene.materials[object.material];
-    if (material.phong_transmission > 0) {
+    if (scene.materials[object.material].phong_transmission > 0) {
         writer.refuse(object.place, "POV-Ray has no highlight of light from behind",
                       "leave 'phong_transmission' out of the material to export the scene");
-        return;
+        return false;
     }
     const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);
-    declare_mesh(writer, object, space.own);
     if (object.name != none) writer.text.line("// \"" + comment(scene.names[object.name]) + "\"");
-    if (!open_shape(writer, object, space.own)) return;
+    if (!open_shape(writer, object, space.own)) return false;
     write_texture(writer, object, space.own);  // before the transform, which takes it along
-    write_interior(writer, material, is_body(scene, object.shape));
+    return true;
+}
+
+/// What is the object's own, but not a part's of a merged one.
+void write_inside_and_shadow(Writer& writer, const Object& object) {
+    const Scene& scene = writer.scene;
+    write_interior(writer, scene.materials[object.material], is_body(scene, object.shape));
+    if (!object.casts_shadow || !scene.settings.shadows) writer.text.line("no_shadow");
+}
+
+void write_transform(Writer& writer, const Object& object) {
+    const ObjectSpace space = object_space(writer.scene.transforms[object.transform], writer.scale);
     const std::string moved = transform(space.to_picture);
     if (!moved.empty()) writer.text.line(moved);
-    if (!object.casts_shadow || !scene.settings.shadows) writer.text.line("no_shadow");
+}
+
+void declare_mesh_of(Writer& writer, const Object& object) {
+    declare_mesh(writer, object,
+                 object_space(writer.scene.transforms[object.transform], writer.scale).own);
+}
+
+}  // namespace
+
+void write_object(Writer& writer, std::uint32_t index) {
+    const Object& object = writer.scene.objects[index];
+    declare_mesh_of(writer, object);
+    if (!open_object(writer, index)) return;
+    write_inside_and_shadow(writer, object);
+    write_transform(writer, object);
+    writer.text.close();
+}
+
+void write_merged(Writer& writer, const std::vector<std::uint32_t>& members) {
+    const Scene& scene = writer.scene;
+    for (const std::uint32_t member : members) declare_mesh_of(writer, scene.objects[member]);
+    writer.text.open("merge {");
+    for (const std::uint32_t member : members) {
+        if (!open_object(writer, member)) continue;
+        write_transform(writer, scene.objects[member]);
+        writer.text.close();
+    }
+    write_inside_and_shadow(writer, scene.objects[members.front()]);
     writer.text.close();
 }
 

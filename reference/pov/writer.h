@@ -27,6 +27,7 @@ struct Writer {
     std::map<std::uint32_t, std::string> image_words;  ///< by index: `png "a.png" gamma srgb`
     std::map<TextureKey, std::string> texture_names;
     std::map<MeshKey, std::string> mesh_names;
+    std::vector<std::vector<std::uint32_t>> merged{};  ///< objects that are one body each
 
     /// Something POV-Ray has no word for, at its place in the script.
     void refuse(const SourceSpan& where, const std::string& message, const std::string& hint = "");
@@ -41,5 +42,7 @@ void write_camera(Writer& writer);
 void write_light(Writer& writer, const Light& light);
 void declare_textures(Writer& writer);
 void write_object(Writer& writer, std::uint32_t index);
+/// Bodies of one glass as one.
+void write_merged(Writer& writer, const std::vector<std::uint32_t>& members);
 
 }  // namespace lancer::reference::pov

@@ -24,7 +24,7 @@ class Validate : public reference::WithPovRay {
         ValidationJob job;
         job.name = "test";
         job.scene = std::make_shared<const Scene>(scene);
-        job.view = {0, 160, 120};
+        job.view = view_;
         job.expect = expect;
         const OurRenderer renderer = [&](const std::shared_ptr<const Scene>& given,
                                          const reference::ExportView& view) {
@@ -45,6 +45,8 @@ class Validate : public reference::WithPovRay {
         EXPECT_EQ(v.verdict, Verdict::differs);
         EXPECT_GE(v.judgement.count(PixelClass::unexplained), least_unexplained);
     }
+
+    reference::ExportView view_{0, 160, 120};
 
     static io::TemporaryFolder& cache() {
         static io::TemporaryFolder folder;

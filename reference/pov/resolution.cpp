@@ -1,0 +1,193 @@
+#include "reference/pov/resolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include "model/bodies.h"
+
+namespace lancer::reference::pov {
+
+namespace {
+
+using Resolution = Coincidence::Resolution;
+
+/// Rounds of raising one body over another. A pile of n bodies takes n.
+constexpr int most_rounds = 64;
+
+/// How an object can move: by `raised` steps.
+struct Mover {
+    enum class Way { still, growing, along } way = Way::still;
+    Vec3d center{0, 0, 0};  ///< growing
+    double least = 0;       ///< growing: the reach of the nearest of its faces
+    Vec3d normal{0, 0, 0};  ///< along
+    double raised = 0;
+    bool fixed = false;  ///< lowered under something that cannot move
+};
+
+bool asks_for_nothing(const FacePair& pair) {
+    return pair.resolution == Resolution::none || pair.resolution == Resolution::hidden;
+}
+
+class Solver {
+  public:
+    Solver(const Scene& scene, const std::vector<FacePair>& pairs) : scene_(scene), pairs_(pairs) {
+        for (const FacePair& pair : pairs) {
+            if (asks_for_nothing(pair)) continue;
+            add(pair.front, pair);
+            add(pair.back, pair);
+        }
+        for (auto& [object, mover] : movers_) {
+            // A body that its own growth would draw out of a face, or hardly move, stays.
+            const auto own = shape_bounds(scene, scene.objects[object].shape);
+            if (mover.way == Mover::Way::growing &&
+                !(mover.least >= 0.01 * moved(map_of(object), *own).diagonal()))
+                mover.way = Mover::Way::still;
+        }
+    }
+
+    void solve() {
+        for (int round = 0; round < most_rounds; ++round) {
+            bool settled = true;
+            for (const FacePair& pair : pairs_) settled = holds(pair) && settled;
+            if (settled) return;
+            for (const FacePair& pair : pairs_)
+                if (!holds(pair)) raise(pair);
+        }
+    }
+
+    bool holds(const FacePair& pair) const {
+        return asks_for_nothing(pair) || lacking(pair) <= 1e-6;
+    }
+
+    /// The object's transform, moved.
+    std::optional<Affine<double>> moved_transform(std::uint32_t object, double step) const {
+        const auto found = movers_.find(object);
+        if (found == movers_.end() || found->second.raised == 0) return std::nullopt;
+        const Mover& mover = found->second;
+        Affine<double> way;
+        if (mover.way == Mover::Way::along) {
+            way.shift = mover.raised * step * mover.normal;
+        } else {
+            const double growth = mover.raised * step / mover.least;
+            for (int i = 0; i < 3; ++i) way.rows[static_cast<std::size_t>(i)][i] += growth;
+            way.shift = -growth * mover.center;
+        }
+        return compose(way, map_of(object));
+    }
+
+  private:
+    const Affine<double>& map_of(std::uint32_t object) const {
+        return scene_.transforms[scene_.objects[object].transform];
+    }
+
+    void add(const Face& face, const FacePair& pair) {
+        const auto [at, is_new] = movers_.try_emplace(face.object);
+        Mover& mover = at->second;
+        const Shape& shape = scene_.objects[face.object].shape;
+        const auto own = shape_bounds(scene_, shape);
+        if (is_new) {
+            mover.way = is_body(scene_, shape) && own ? Mover::Way::growing : Mover::Way::along;
+            if (own) mover.center = map_point(map_of(face.object), own->center());
+            mover.least = std::numeric_limits<double>::infinity();
+        }
+        if (mover.way == Mover::Way::growing) {
+            mover.least = std::min(mover.least, reach(face, mover.center));
+        } else if (mover.way == Mover::Way::along) {
+            // A sheet moves out of the body that it lies on.
+            const Face& other = face.object == pair.front.object ? pair.back : pair.front;
+            const auto* flat = std::get_if<FlatFace>(own ? &other.form : &face.form);
+            const bool another =
+                !is_new && flat && std::abs(dot(flat->normal, mover.normal)) < 1 - 1e-9;
+            if (!flat || another)
+                mover.way = Mover::Way::still;
+            else
+                mover.normal = own && !pair.alike ? -flat->normal : flat->normal;
+        }
+    }
+
+    /// How far the face has moved outwards, in steps, for one step of the object.
+    double per_step(const Face& face) const {
+        const Mover& mover = movers_.at(face.object);
+        if (mover.way == Mover::Way::growing) return reach(face, mover.center) / mover.least;
+        return mover.way == Mover::Way::along ? 1 : 0;
+    }
+    double displacement(const Face& face) const {
+        return per_step(face) * movers_.at(face.object).raised;
+    }
+
+    /// Steps by which the two are still too near.
+    double lacking(const FacePair& pair) const {
+        const double back = displacement(pair.back);
+        return 1 - (displacement(pair.front) + (pair.alike ? -back : back));
+    }
+
+    /// Raises what shall be in front, or one of two that shall overlap; where that cannot move, the
+    /// other gives way.
+    void raise(const FacePair& pair) {
+        Mover& front = movers_.at(pair.front.object);
+        Mover& back = movers_.at(pair.back.object);
+        const auto can_move = [](const Mover& m) { return m.way != Mover::Way::still && !m.fixed; };
+        const double steps = lacking(pair);
+        if (can_move(front)) {
+            front.raised += steps / per_step(pair.front);
+        } else if (!can_move(back)) {
+            return;
+        } else if (!pair.alike) {
+            back.raised += steps / per_step(pair.back);
+        } else {
+            back.raised -= steps / per_step(pair.back);
+            back.fixed = true;
+        }
+    }
+
+    const Scene& scene_;
+    const std::vector<FacePair>& pairs_;
+    std::map<std::uint32_t, Mover> movers_;
+};
+
+/// Objects joined by merged pairs.
+std::vector<std::vector<std::uint32_t>> groups_of(const std::vector<FacePair>& pairs,
+                                                  std::size_t objects) {
+    std::vector<std::uint32_t> leader(objects);
+    std::iota(leader.begin(), leader.end(), 0U);
+    const auto find = [&](std::uint32_t i) {
+        while (leader[i] != i) i = leader[i];
+        return i;
+    };
+    for (const FacePair& pair : pairs) {
+        if (pair.resolution != Resolution::merged) continue;
+        const std::uint32_t a = find(pair.front.object);
+        const std::uint32_t b = find(pair.back.object);
+        leader[std::max(a, b)] = std::min(a, b);
+    }
+    std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
+    for (std::uint32_t i = 0; i < objects; ++i) groups[find(i)].push_back(i);
+    std::vector<std::vector<std::uint32_t>> out;
+    for (auto& [first, members] : groups)
+        if (members.size() > 1) out.push_back(std::move(members));
+    return out;
+}
+
+}  // namespace
+
+ResolvedScene resolved(const Scene& scene, const std::vector<FacePair>& pairs, double step) {
+    ResolvedScene result{scene, groups_of(pairs, scene.objects.size()), pairs};
+    Solver solver(scene, pairs);
+    solver.solve();
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+        const auto transform = solver.moved_transform(i, step);
+        if (!transform) continue;
+        result.scene.objects[i].transform =
+            static_cast<std::uint32_t>(result.scene.transforms.size());
+        result.scene.transforms.push_back(*transform);
+    }
+    for (FacePair& pair : result.pairs)
+        if (!solver.holds(pair)) pair.resolution = Resolution::none;
+    return result;
+}
+
+}  // namespace lancer::reference::pov
