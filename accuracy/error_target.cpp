@@ -19,6 +19,7 @@ constexpr double first_aim = 4;         // times the goal's square: where the fi
 constexpr int first_draws = 600;
 constexpr int most_rounds = 6;
 constexpr double most_log_error = 0.3;
+constexpr double no_better = 0.8;  // of a mean square, after a round that should have mended more
 // In standard errors of log T. An audit that decides must say that its true value lies so far
 // below the goal that the one that is printed will say so too; the aim is a little further off.
 constexpr double deciding_margin = 3;
@@ -39,13 +40,13 @@ class Search {
   public:
     Search(const Renderer& renderer, const Truth& truth, const View& view, const ErrorGoal& goal,
            const Progress& progress)
-        : truth_(truth), view_(view), goal_(goal), progress_(progress) {
+        : renderer_(renderer), truth_(truth), view_(view), goal_(goal), progress_(progress) {
         report_.asked = goal.max_error;
         report_.limits =
             cheapest_limits(truth, view, goal.fixed, (1 - sampling_share) * square(goal.max_error),
                             goal.seed, report_.deciding);
         check_settings(renderer);
-        samples_.emplace(renderer, view_, report_.limits, goal.seed);
+        samples_.emplace(renderer_, view_, report_.limits, goal.seed);
         most_rays_ = static_cast<std::uint64_t>(goal.most_rays_per_pixel *
                                                 static_cast<double>(samples_->size()));
     }
@@ -183,6 +184,7 @@ class Search {
             draws_ = best_draws(e, report_.deciding.rays() - before);
             expected_error = log_error(e, first_draws, draws_);
         }
+        double earlier = 0;  // what the last round found
         for (int round = 0; round < most_rounds; ++round) {
             const double target = aim(expected_error);
             const bool refined = target > 0 && refine_to(target);
@@ -190,6 +192,12 @@ class Search {
             e = judged();
             expected_error = log_error(e, draws_, draws_);
             if (!refined || is_below(e, deciding_margin)) break;
+            if (round > 0 && e.mean_square > no_better * earlier && cuts_too_much()) {
+                earlier = 0;
+                expected_error = told_log_error;  // few pixels carried what was found up to now
+                continue;
+            }
+            earlier = e.mean_square;
             correct(e);
             shares_ = best_shares(judge_.seen);
         }
@@ -197,8 +205,29 @@ class Search {
         const double needed = draws_ * std::max(1.0, square(e.log_error() / told_log_error));
         report_.effective_draws = e.effective_draws;
         report_.dominant = dominant_pixels(judge_, *samples_, 3);
-        report_.is_told = e.effective_draws >= least_effective && needed <= most_draws(*samples_);
+        report_.is_told = e.effective_draws >= least_effective &&
+                          needed <= std::max(draws_, most_draws(*samples_));
         if (report_.is_told) draws_ = static_cast<int>(needed);
+    }
+
+    /// More samples brought nothing: the limits may cut what only an audit has met. Begins anew
+    /// with the truth's. False when they are those already.
+    bool cuts_too_much() {
+        TraceLimits whole = truth_.limits;
+        if (goal_.fixed.max_depth) whole.max_depth = *goal_.fixed.max_depth;
+        if (goal_.fixed.min_contribution) whole.min_contribution = *goal_.fixed.min_contribution;
+        if (whole.max_depth == report_.limits.max_depth &&
+            whole.min_contribution == report_.limits.min_contribution)
+            return false;
+        const std::vector<PixelShare> worst = dominant_pixels(judge_, *samples_, 20);
+        if (share_cut(truth_, *samples_, report_.limits, worst, report_.deciding) < 0.3)
+            return false;
+        report_.limits = whole;
+        report_.deciding += samples_->rays();
+        samples_.emplace(renderer_, view_, whole, goal_.seed);
+        prediction_.kappa = std::min(Prediction().kappa, prediction_.kappa);
+        begin();
+        return true;
     }
 
     /// Single rays met light that others must have missed: no audit can tell how much.
@@ -250,6 +279,7 @@ class Search {
         return picture;
     }
 
+    const Renderer& renderer_;
     const Truth& truth_;
     const View view_;
     const ErrorGoal& goal_;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint64_t limits_stream = 1;  // of a pixel that is none
 constexpr std::uint64_t bias_stream = 2;
+constexpr std::uint64_t cut_stream = std::uint64_t(3) << 62;  // of a pixel; an audit's are lower
 
 Crop part_of(const View& view) {
     return view.crop.value_or(Crop{0, 0, view.width, view.height});
@@ -121,6 +122,40 @@ ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Tr
         terms.push_back(dot(cut[0], cut[1]) / 3);
     }
     return estimate(terms);
+}
+
+double share_cut(const Truth& truth, const Samples& samples, const TraceLimits& limits,
+                 std::span<const PixelShare> pixels, RayCounts& rays) {
+    constexpr std::uint32_t per_pixel = 16;
+    const Crop part = part_of(samples.view());
+    std::vector<PicturePoint> points;
+    for (const PixelShare& p : pixels) {
+        const SobolPoints sequence(pixel_key(samples.seed(), p.x, p.y, cut_stream));
+        for (std::uint32_t i = 0; i < per_pixel; ++i)
+            points.push_back({p.x + sequence[i].x, p.y + sequence[i].y});
+    }
+    std::vector<Color> ours(points.size());
+    std::vector<Color> right(points.size());
+    truth.renderer.trace(samples.view(), points, limits, ours, {}, rays);
+    truth.renderer.trace(samples.view(), points, truth.limits, right, {}, rays);
+    double cut = 0;
+    double error = 0;
+    std::size_t next = 0;
+    for (const PixelShare& p : pixels) {
+        Color difference{0, 0, 0};
+        Color mean{0, 0, 0};
+        for (std::uint32_t i = 0; i < per_pixel; ++i, ++next) {
+            difference += (ours[next] - right[next]) / static_cast<double>(per_pixel);
+            mean += right[next] / static_cast<double>(per_pixel);
+        }
+        const std::size_t pixel =
+            static_cast<std::size_t>(p.y - part.y) * static_cast<std::size_t>(part.width) +
+            static_cast<std::size_t>(p.x - part.x);
+        const Color wrong = samples.pixels()[pixel].mean() - mean;
+        cut += dot(difference, difference);
+        error += dot(wrong, wrong);
+    }
+    return error > 0 ? cut / error : 0;
 }
 
 }  // namespace lancer::accuracy

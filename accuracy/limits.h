@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "accuracy/audit.h"
 
@@ -26,5 +27,10 @@ TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLim
 /// The mean squared error, over pixels, that remains however many samples `renderer` takes.
 ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Truth& truth,
                    const View& view, std::uint64_t seed, RayCounts& rays);
+
+/// How much of the squared error in some pixels is what `limits`, with which `samples` were made,
+/// cut: from 0 to about 1, as 16 points in each of them tell.
+double share_cut(const Truth& truth, const Samples& samples, const TraceLimits& limits,
+                 std::span<const PixelShare> pixels, RayCounts& rays);
 
 }  // namespace lancer::accuracy

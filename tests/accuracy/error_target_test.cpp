@@ -113,6 +113,22 @@ TEST(ErrorTarget, WhatCannotBeReachedIsRefusedBeforehand) {
     }
 }
 
+/// A few pixels show light that has gone through 30 mirrors; points spread over the picture miss
+/// them, and no number of samples mends what is cut there.
+TEST(ErrorTarget, WhatLimitsCutInFewPixelsIsFoundByAuditsAndNotCut) {
+    const PlainRenderer renderer([](double x, double y, const TraceLimits& limits) {
+        const bool deep = std::abs(x - 40.3) < 1.7 && std::abs(y - 50.4) < 1.6;
+        const double wave = 0.5 + 0.4 * std::sin(x * x / 90) * std::cos(y / 7);
+        return Color{1, 1, 1} * (deep && limits.max_depth < 30 ? 0.0 : wave);
+    });
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        const ErrorReport report = rendered(renderer, 0.008, seed).report;
+        EXPECT_GE(report.limits.max_depth, 30) << seed;
+        EXPECT_TRUE(report.is_reached()) << seed;
+        EXPECT_LT(report.rays_per_pixel, 20) << seed;
+    }
+}
+
 TEST(ErrorTarget, AFlatPictureHasNoError) {
     const PlainRenderer flat([](double, double, const TraceLimits&) {
         return Color{0.3, 0.3, 0.3};
