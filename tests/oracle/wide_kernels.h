@@ -9,6 +9,7 @@ namespace lancer::oracle {
 struct WideAnswer {
     bool hit, unsure, entering;
     double t, error, u, v;
+    std::uint32_t face = 0;
 };
 
 /// One ray as the tests of boxes see it: SlabRay<float> for each axis, and whether it misses all.
@@ -22,19 +23,27 @@ struct WideSlabs {
 /// All take eight rays and answer for each.
 struct WideKernels {
     void (*ball)(const wide::Ball& ball, const wide::LaneRay* rays, double limit, WideAnswer* out);
+    void (*box)(const wide::Box& box, const wide::LaneRay* rays, double limit, WideAnswer* out);
     void (*plane)(const wide::Plane& plane, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
     /// The first triangle of the block. `unsure`: a ray with all four did not find that it may
     /// meet the first.
     void (*triangle)(const wide::TriangleBlock& block, double reach, const wide::LaneRay* rays,
                      double limit, WideAnswer* out);
-    /// `hit`: the ball, or plane, lies on the way to a light so far away.
+    /// `hit`: the shape lies on the way to a light so far away.
     void (*ball_shadow)(const wide::Ball& ball, const wide::LaneRay* rays, double distance,
                         WideAnswer* out);
+    void (*box_shadow)(const wide::Box& box, const wide::LaneRay* rays, double distance,
+                       WideAnswer* out);
+    void (*frustum_shadow)(const wide::Frustum& frustum, const wide::LaneRay* rays, double distance,
+                           WideAnswer* out);
     void (*plane_shadow)(const wide::Plane& plane, const wide::LaneRay* rays, double distance,
                          WideAnswer* out);
     void (*slabs)(const wide::Tree& tree, const wide::LaneRay* rays, double limit, WideSlabs* out);
     void (*local)(const wide::Frame& frame, const wide::LaneRay* rays, wide::LaneRay* out);
+    /// The surfaces of eight hits; those that are left to scalar code are asked of `exact`.
+    void (*surfaces)(const wide::Scene& scene, wide::ExactMethods& exact, const wide::LaneRay* rays,
+                     const wide::LaneHit* hits, wide::LaneSurface* out);
     void (*power)(const double* x, const double* y, double* out);
 };
 

@@ -42,6 +42,13 @@ inline void ball_kernel(const Ball& ball, const LaneRay* rays, double limit,
     hits.unsure |= ball_crossings(ball, 0, rays_of(rays), 255, hits);
     put_answers(hits, out);
 }
+inline void box_kernel(const Box& box, const LaneRay* rays, double limit, oracle::WideAnswer* out) {
+    NearestHits hits;
+    hits.limit = all(limit);
+    box_crossings(box, 0, rays_of(rays), 255, hits);
+    put_answers(hits, out);
+    for (int i = 0; i < lanes; ++i) out[i].face = out[i].hit ? hits.face[i] : 0;
+}
 inline void plane_kernel(const Plane& plane, const LaneRay* rays, double limit,
                          oracle::WideAnswer* out) {
     NearestHits hits;
@@ -82,6 +89,16 @@ inline void ball_shadow_kernel(const Ball& ball, const LaneRay* rays, double dis
     const BallShadow shadow(ball, rays_of(rays), 255, all(distance));
     put_answers(shadow.blocks, shadow.unsure, out);
 }
+inline void box_shadow_kernel(const Box& box, const LaneRay* rays, double distance,
+                              oracle::WideAnswer* out) {
+    const BoxShadow shadow(box, rays_of(rays), 255, all(distance));
+    put_answers(shadow.blocks, shadow.unsure, out);
+}
+inline void frustum_shadow_kernel(const Frustum& frustum, const LaneRay* rays, double distance,
+                                  oracle::WideAnswer* out) {
+    const FrustumGuess guess(frustum, rays_of(rays), 255, all(distance));
+    put_answers(guess.between, guess.unsettled & ~guess.between, out);
+}
 inline void plane_shadow_kernel(const Plane& plane, const LaneRay* rays, double distance,
                                 oracle::WideAnswer* out) {
     const PlaneShadow shadow(plane, rays_of(rays), 255, all(distance));
@@ -113,12 +130,37 @@ inline void local_kernel(const Frame& frame, const LaneRay* rays, LaneRay* out) 
     for (int i = 0; i < lanes; ++i) out[i] = lane_ray(local, i);
 }
 
+inline void surfaces_kernel(const Scene& scene, ExactMethods& exact, const LaneRay* from,
+                            const LaneHit* given, LaneSurface* out) {
+    const Rays rays = rays_of(from);
+    NearestHits hits;
+    for (int i = 0; i < lanes; ++i) hits.add(i, given[i]);
+    Job job{&scene, &exact, nullptr, nullptr, {}};
+    Surfaces s;
+    make_surfaces(job, rays, hits, 255, s);
+    const auto put = [](const Vectors& v, int i, double* to) {
+        to[0] = lane(v.x, i);
+        to[1] = lane(v.y, i);
+        to[2] = lane(v.z, i);
+    };
+    for (int i = 0; i < lanes; ++i) {
+        put(s.position, i, out[i].position);
+        put(s.position_lo, i, out[i].position_lo);
+        put(s.geometric, i, out[i].geometric);
+        put(s.normal, i, out[i].normal);
+        put(s.color, i, out[i].color);
+        out[i].error = lane(s.error, i);
+        out[i].opacity = lane(s.opacity, i);
+    }
+}
+
 inline void power_kernel(const double* x, const double* y, double* out) {
     store(out, power(load(x), load(y)));
 }
 
 inline constexpr oracle::WideKernels kernels{
-    ball_kernel,         plane_kernel, triangle_kernel, ball_shadow_kernel,
-    plane_shadow_kernel, slabs_kernel, local_kernel,    power_kernel};
+    ball_kernel,        box_kernel,        plane_kernel,          triangle_kernel,
+    ball_shadow_kernel, box_shadow_kernel, frustum_shadow_kernel, plane_shadow_kernel,
+    slabs_kernel,       local_kernel,      surfaces_kernel,       power_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

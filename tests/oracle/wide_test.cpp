@@ -5,12 +5,14 @@
 #include "model/elementary.h"
 #include "tests/oracle/tally.h"
 #include "tests/oracle/wide_kernels.h"
+#include "tests/oracle/wide_levels.h"
 #include "tracer/bvh/slabs.h"
 #include "tracer/rays/frame.h"
+#include "tracer/shapes/box.h"
+#include "tracer/shapes/frustum.h"
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/sphere.h"
 #include "tracer/shapes/triangle.h"
-#include "tracer/wide/level.h"
 
 namespace lancer::oracle {
 namespace {
@@ -19,16 +21,6 @@ using lancer::cross;
 
 constexpr int lanes = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Calls test(kernels) for each level that the processor has.
-template <class Test>
-void on_each_level(Test&& test) {
-    for (const Level level : {Level::avx2, Level::avx512}) {
-        if (!is_supported(level)) continue;
-        SCOPED_TRACE(name_of(level));
-        test(level == Level::avx2 ? wide_kernels_avx2 : wide_kernels_avx512);
-    }
-}
 
 void put(const Vec3d& v, double (&to)[3]) {
     for (int i = 0; i < 3; ++i) to[i] = v[i];
@@ -85,6 +77,7 @@ void check_nearest(std::vector<Crossing<double>> found, const WideAnswer& answer
     EXPECT_EQ(answer.t, found[0].t) << "case " << draw.number();
     EXPECT_EQ(answer.error, found[0].error) << "case " << draw.number();
     EXPECT_EQ(answer.entering, found[0].entering) << "case " << draw.number();
+    EXPECT_EQ(answer.face, found[0].face) << "case " << draw.number();
     if (found.size() == 1) return;
     EXPECT_GT(found[1].t, found[0].t + 8 * found[0].error) << "case " << draw.number();
 }
@@ -166,6 +159,82 @@ TEST(OracleWide, Ball) {
         });
         nearest.expect(0.7);  // a third starts in the ball or next to it, a quarter nearly touches
         shadow.expect(0.5);
+    });
+}
+
+TEST(OracleWide, Box) {
+    on_each_level([](const WideKernels& kernels) {
+        Share nearest, shadow;
+        Tally("box, side by side").run([&](Draw& draw) {
+            const Vec3d min = draw.direction() * draw.decade(-2, 2);
+            const double size = draw.decade(-3, 3);
+            const double flat = draw.number() % 7 == 3 ? 0 : size / 2;
+            const BoxSolid<double> box{min, min + Vec3d(size, flat, size * draw.unit()),
+                                       draw.number() % 5 == 2 ? draw.decade(-18, -8) : 0};
+            wide::Box wide_box{};
+            put(box.min, wide_box.min);
+            put(box.max, wide_box.max);
+            wide_box.transform_error = box.transform_error;
+            const Eight rays(draw, [&](Draw& own) {
+                const Ray<double> ray = own.ray_at((box.min + box.max) / 2.0, size);
+                if (own.number() % 4 != 1) return ray;
+                return make_ray(box.max - ray.dir * size, Vec3d(0), ray.dir, 0.0);  // at a corner
+            });
+            const double limit = some_limit(draw, size);
+            WideAnswer answers[lanes];
+            kernels.box(wide_box, rays.lane_rays.data(), limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_nearest(crossings_to(box, rays.rays[i], limit), answers[i], draw, nearest);
+            kernels.box_shadow(wide_box, rays.lane_rays.data(), limit, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_shadow(box, rays.rays[i], limit, answers[i], draw, shadow);
+        });
+        nearest.expect(0.2);
+        shadow.expect(0.2);
+    });
+}
+
+TEST(OracleWide, CylinderAndCone) {
+    on_each_level([](const WideKernels& kernels) {
+        Share shadow;
+        Tally("cylinder and cone, side by side").run([&](Draw& draw) {
+            FrustumSolid<double> f;
+            f.small_end = draw.direction() * draw.decade(-2, 2);
+            f.tilted = draw.number() % 3 != 0;
+            f.axis = f.tilted ? draw.direction() : Vec3d(0, 1, 0);
+            f.height = draw.decade(-2, 2);
+            f.large_end = f.small_end + f.height * f.axis;
+            f.radius = draw.number() % 4 == 0 ? 0 : draw.decade(-3, 1);
+            f.slope = draw.number() % 2 == 0 ? draw.decade(-3, 2) : (f.radius > 0 ? 0 : 0.5);
+            f.capped = draw.number() % 7 != 0;
+            f.filter_error = filter_error_of(f.small_end);
+            wide::Frustum frustum{};
+            put(f.small_end, frustum.small_end);
+            put(f.axis, frustum.axis);
+            frustum.height = f.height;
+            frustum.radius = f.radius;
+            frustum.slope = f.slope;
+            frustum.filter_error = f.filter_error;
+            const double size = std::max(f.height, f.radius + f.slope * f.height);
+            const Vec3d middle = f.small_end + (f.height / 2) * f.axis;
+            const Eight rays(draw, [&](Draw& own) {
+                const Ray<double> ray = own.ray_at(middle, size);
+                if (own.number() % 4 != 1) return ray;
+                // Nearly touches the side.
+                const Vec3d out = normalize(cross(f.axis, own.direction()));
+                const double axial = f.height * own.unit();
+                const double reach = (f.radius + f.slope * axial) * (1 - own.decade(-17, -1));
+                const Vec3d along = normalize(cross(out - f.slope * f.axis, own.direction()));
+                return make_ray(f.small_end + axial * f.axis + reach * out - along * size, Vec3d(0),
+                                along, 0.0);
+            });
+            const double distance = some_limit(draw, size);
+            WideAnswer answers[lanes];
+            kernels.frustum_shadow(frustum, rays.lane_rays.data(), distance, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_shadow(f, rays.rays[i], distance, answers[i], draw, shadow);
+        });
+        shadow.expect(0.7);
     });
 }
 

@@ -62,6 +62,8 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.balls = balls_.data();
     scene_.planes = planes_.data();
     scene_.meshes = meshes_.data();
+    scene_.boxes = boxes_.data();
+    scene_.frustums = frustums_.data();
     scene_.finishes = finishes_.data();
     scene_.lights = lights_.data();
     scene_.light_count = lights_.size();
@@ -70,11 +72,21 @@ FlatWorld::FlatWorld(const World<double>& world) {
 
 void FlatWorld::add(const Primitive<double>& primitive) {
     Item item;
+    if (primitive.frame == none) item = add_in_world(primitive.solid);
+    if (const auto* mesh = std::get_if<MeshInstance<double>>(&primitive.solid)) {
+        item.kind = Kind::mesh;
+        item.shape = static_cast<std::uint32_t>(meshes_.size());
+        add(*mesh, primitive.frame == none ? nullptr : &frames_[primitive.frame]);
+    }
     item.material = primitive.material;
     item.convex = primitive.convex;
     item.casts_shadow = primitive.casts_shadow;
-    const auto* ball = std::get_if<BallSolid<double>>(&primitive.solid);
-    if (ball != nullptr && primitive.frame == none) {
+    items_.push_back(item);
+}
+
+Item FlatWorld::add_in_world(const Solid<double>& solid) {
+    Item item;
+    if (const auto* ball = std::get_if<BallSolid<double>>(&solid)) {
         item.kind = Kind::ball;
         item.shape = static_cast<std::uint32_t>(balls_.size());
         Ball& b = balls_.emplace_back();
@@ -82,7 +94,24 @@ void FlatWorld::add(const Primitive<double>& primitive) {
         b.radius = ball->radius;
         b.transform_error = ball->transform_error;
         b.filter_error = ball->filter_error;
-    } else if (const auto* half = std::get_if<HalfSpace<double>>(&primitive.solid)) {
+    } else if (const auto* box = std::get_if<BoxSolid<double>>(&solid)) {
+        item.kind = Kind::box;
+        item.shape = static_cast<std::uint32_t>(boxes_.size());
+        Box& b = boxes_.emplace_back();
+        put(box->min, b.min);
+        put(box->max, b.max);
+        b.transform_error = box->transform_error;
+    } else if (const auto* frustum = std::get_if<FrustumSolid<double>>(&solid)) {
+        item.kind = Kind::frustum;
+        item.shape = static_cast<std::uint32_t>(frustums_.size());
+        Frustum& f = frustums_.emplace_back();
+        put(frustum->small_end, f.small_end);
+        put(frustum->axis, f.axis);
+        f.height = frustum->height;
+        f.radius = frustum->radius;
+        f.slope = frustum->slope;
+        f.filter_error = frustum->filter_error;
+    } else if (const auto* half = std::get_if<HalfSpace<double>>(&solid)) {
         Plane& p = planes_.emplace_back();
         put(half->normal, p.normal);
         put(half->point, p.point);
@@ -90,12 +119,8 @@ void FlatWorld::add(const Primitive<double>& primitive) {
         p.filter_error = half->filter_error;
         p.offset = half->offset;
         put(unit(half->normal), p.unit_normal);
-    } else if (const auto* mesh = std::get_if<MeshInstance<double>>(&primitive.solid)) {
-        item.kind = Kind::mesh;
-        item.shape = static_cast<std::uint32_t>(meshes_.size());
-        add(*mesh, primitive.frame == none ? nullptr : &frames_[primitive.frame]);
     }
-    items_.push_back(item);
+    return item;
 }
 
 void FlatWorld::add(const MeshInstance<double>& instance, const Frame* frame) {

@@ -19,6 +19,7 @@ class FlatWorld {
 
   private:
     void add(const Primitive<double>& primitive);
+    Item add_in_world(const Solid<double>& solid);
     void add(const MeshInstance<double>& instance, const Frame* frame);
     void add(const lancer::Finish<double>& finish, const World<double>& world);
     void add(const LightSource<double>& light, const World<double>& world);
@@ -27,6 +28,8 @@ class FlatWorld {
     std::vector<Ball> balls_;
     std::vector<Plane> planes_;
     std::vector<Mesh> meshes_;
+    std::vector<Box> boxes_;
+    std::vector<Frustum> frustums_;
     std::vector<Frame> frames_;  ///< as World::frames
     std::vector<Finish> finishes_;
     std::vector<Light> lights_;

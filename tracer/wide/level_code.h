@@ -19,6 +19,8 @@
 #include "tracer/wide/hits.h"
 //
 #include "tracer/wide/balls.h"
+#include "tracer/wide/boxes.h"
+#include "tracer/wide/frustums.h"
 #include "tracer/wide/planes.h"
 #include "tracer/wide/triangles.h"
 //

@@ -26,6 +26,29 @@ namespace lancer::wide::LANCER_LEVEL {
     });
 }
 
+/// Adds the crossings with one item of the tree; the mask is not empty.
+LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays& r,
+                                 const Starts& starts, Mask mask, NearestHits& hits) {
+    const Scene& scene = *job.scene;
+    const Item& item = scene.items[index];
+    if (item.kind == Kind::mesh) {
+        mesh_crossings(scene.meshes[item.shape], index, r, starts, mask, hits);
+        return;
+    }
+    const Mask own = mask & equal(starts.item, index);
+    const Mask others = mask & ~own;
+    Mask asked = mask;
+    if (item.kind == Kind::ball) {
+        asked = own | ball_crossings(scene.balls[item.shape], index, r, others, hits);
+    } else if (item.kind == Kind::box) {
+        asked = own;
+        box_crossings(scene.boxes[item.shape], index, r, others, hits);
+    } else if (item.kind == Kind::frustum) {
+        asked = own | FrustumGuess(scene.frustums[item.shape], r, others, hits.limit).unsettled;
+    }
+    if (asked != 0) exact_crossings(*job.exact, index, r, starts, asked, hits);
+}
+
 inline void find_nearest(const Job& job, const Rays& r, const Starts& starts, Mask active,
                          NearestHits& hits) {
     const Scene& scene = *job.scene;
@@ -34,23 +57,13 @@ inline void find_nearest(const Job& job, const Rays& r, const Starts& starts, Ma
         const Mask mask = active & ~equal(starts.item, i) & ~equal(starts.left, i);
         plane_crossings(scene.planes[i - scene.bounded], i, r, mask, hits);
     }
-    traverse(
-        scene.tree, r, active, hits.limit, [&](std::uint32_t first, std::uint32_t count, Mask met) {
-            for (std::uint32_t i = first; i < first + count; ++i) {
-                const Item& item = scene.items[i];
-                const Mask mask = met & ~equal(starts.left, i);
-                Mask asked = mask;
-                if (item.kind == Kind::ball) {
-                    const Mask own = mask & equal(starts.item, i);
-                    asked = own | ball_crossings(scene.balls[item.shape], i, r, mask & ~own, hits);
-                } else if (item.kind == Kind::mesh) {
-                    if (mask != 0)
-                        mesh_crossings(scene.meshes[item.shape], i, r, starts, mask, hits);
-                    asked = 0;
-                }
-                if (asked != 0) exact_crossings(*job.exact, i, r, starts, asked, hits);
-            }
-        });
+    traverse(scene.tree, r, active, hits.limit,
+             [&](std::uint32_t first, std::uint32_t count, Mask met) {
+                 for (std::uint32_t i = first; i < first + count; ++i) {
+                     const Mask mask = met & ~equal(starts.left, i);
+                     if (mask != 0) add_crossings(job, i, r, starts, mask, hits);
+                 }
+             });
     hits.unsure &= active;
 }
 

@@ -42,6 +42,18 @@ struct Plane {
     double unit_normal[3];  ///< unit(normal)
 };
 
+/// BoxSolid<double>
+struct Box {
+    double min[3], max[3];
+    double transform_error;
+};
+
+/// FrustumSolid<double>, for its filter.
+struct Frustum {
+    double small_end[3], axis[3];
+    double height, radius, slope, filter_error;
+};
+
 /// Frame<double>
 struct Frame {
     double to_world[3][3];
@@ -70,7 +82,9 @@ struct Mesh {
 };
 
 enum class Kind : std::uint8_t {
-    ball,  ///< in world space
+    ball,  ///< in world space, as boxes and frustums are
+    box,
+    frustum,  ///< which wide code filters alone
     mesh,
     other,  ///< which scalar code knows
 };
@@ -121,6 +135,8 @@ struct Scene {
     const Ball* balls;
     const Plane* planes;  ///< items[bounded..]
     const Mesh* meshes;
+    const Box* boxes;
+    const Frustum* frustums;
     const Finish* finishes;
     const Light* lights;
     std::size_t light_count;

@@ -38,9 +38,7 @@ class ShadowQuery {
             const Mask mask =
                 active & ~blocked_ & ~equal(starts_.item, i) & ~equal(starts_.left, i);
             if (mask == 0) continue;
-            const PlaneShadow shadow(scene_.planes[i - scene_.bounded], rays_, mask, distance_);
-            blocked_ |= shadow.blocks;
-            unsure_ |= shadow.unsure;
+            note(PlaneShadow(scene_.planes[i - scene_.bounded], rays_, mask, distance_));
         }
     }
 
@@ -48,23 +46,39 @@ class ShadowQuery {
         const Item& item = scene_.items[index];
         mask &= ~equal(starts_.left, index);
         if (!item.casts_shadow || mask == 0) return;
-        if (item.kind == Kind::ball) {
-            const Mask own = mask & equal(starts_.item, index);
-            const BallShadow shadow(scene_.balls[item.shape], rays_, mask & ~own, distance_);
-            blocked_ |= shadow.blocks;
-            unsure_ |= shadow.unsure | own;
-        } else if (item.kind == Kind::mesh) {
-            const MeshShadow shadow(scene_.meshes[item.shape], index, rays_, starts_, mask,
-                                    distance_);
-            blocked_ |= shadow.blocks;
-            unsure_ |= shadow.unsure;
-        } else {
-            for_each_lane(mask, [&](int i) {
-                if (job_.exact->blocks(index, lane_ray(rays_, i), starts_.lane(i),
-                                       lane(distance_, i)))
-                    blocked_ |= Mask(1) << i;
-            });
+        if (item.kind == Kind::mesh) {
+            note(MeshShadow(scene_.meshes[item.shape], index, rays_, starts_, mask, distance_));
+            return;
         }
+        const Mask own = mask & equal(starts_.item, index);
+        const Mask others = mask & ~own;
+        if (item.kind == Kind::ball) {
+            note(BallShadow(scene_.balls[item.shape], rays_, others, distance_));
+        } else if (item.kind == Kind::box) {
+            note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_));
+        } else if (item.kind == Kind::frustum) {
+            const FrustumGuess guess(scene_.frustums[item.shape], rays_, others, distance_);
+            blocked_ |= guess.between;
+            ask_exactly(index, own | (guess.unsettled & ~guess.between));
+            return;
+        } else {
+            ask_exactly(index, mask);
+            return;
+        }
+        unsure_ |= own;
+    }
+
+    template <class Shadow>
+    LANCER_INLINE void note(const Shadow& shadow) {
+        blocked_ |= shadow.blocks;
+        unsure_ |= shadow.unsure;
+    }
+
+    void ask_exactly(std::uint32_t index, Mask mask) {
+        for_each_lane(mask, [&](int i) {
+            if (job_.exact->blocks(index, lane_ray(rays_, i), starts_.lane(i), lane(distance_, i)))
+                blocked_ |= Mask(1) << i;
+        });
     }
 
     const Job& job_;

@@ -26,6 +26,41 @@ LANCER_INLINE Mask put_balls(const Scene& scene, const Rays& r, const NearestHit
     return odd;
 }
 
+/// The points of hits with boxes, on their faces: surface_point().
+LANCER_INLINE void put_boxes(const Scene& scene, const Rays& r, const NearestHits& hits, Mask mask,
+                             Surfaces& s) {
+    const Numbers zero = all(0.0);
+    Vectors anchor{zero, zero, zero};
+    Vectors width = anchor;
+    Vectors normal = anchor;
+    Mask across[3] = {0, 0, 0};
+    for_each_lane(mask, [&](int i) {
+        const Box& box = scene.boxes[scene.items[hits.item[i]].shape];
+        const auto axis = static_cast<int>(hits.face[i] / 2);
+        const bool at_max = hits.face[i] % 2 == 1;
+        double corner[] = {box.min[0], box.min[1], box.min[2]};
+        const double size[] = {box.max[0] - box.min[0], box.max[1] - box.min[1],
+                               box.max[2] - box.min[2]};
+        double out[] = {0, 0, 0};
+        if (at_max) corner[axis] = box.max[axis];
+        out[axis] = at_max ? 1 : -1;
+        set_lane(anchor, i, corner);
+        set_lane(width, i, size);
+        set_lane(normal, i, out);
+        across[axis] |= Mask(1) << i;
+    });
+    Vectors offset = start_from(r, anchor) + hits.t * r.dir;
+    const auto keep_on_face = [&](Numbers& x, const Numbers& most, Mask is_across) {
+        x = select(less(x, zero), zero, x);
+        x = select(less(most, x), most, x);
+        x = select(is_across, zero, x);
+    };
+    keep_on_face(offset.x, width.x, across[0]);
+    keep_on_face(offset.y, width.y, across[1]);
+    keep_on_face(offset.z, width.z, across[2]);
+    put(mask, two_sum(anchor, offset), zero, normal, s);
+}
+
 /// The points of hits with one plane, put back onto it: surface_point().
 LANCER_INLINE void put_plane(const Plane& plane, const Rays& r, const NearestHits& hits, Mask mask,
                              Surfaces& s) {
@@ -113,6 +148,7 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     put_finishes(scene, hits, mask, s);
     Mask balls = 0;
     Mask planes = 0;
+    Mask boxes = 0;
     Mask meshes = 0;
     Mask exact = 0;
     for_each_lane(mask, [&](int i) {
@@ -124,12 +160,15 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
             planes |= bit;
         else if (item.kind == Kind::ball)
             balls |= bit;
+        else if (item.kind == Kind::box)
+            boxes |= bit;
         else if (item.kind == Kind::mesh)
             meshes |= bit;
         else
             exact |= bit;
     });
     if (balls != 0) exact |= put_balls(scene, r, hits, balls, s);
+    if (boxes != 0) put_boxes(scene, r, hits, boxes, s);
     while (planes != 0) {
         const std::uint32_t item = hits.item[__builtin_ctz(planes)];
         const Mask same = planes & equal(hits.item, item);

@@ -1,0 +1,143 @@
+// Surfaces side by side against make_surface(), number by number.
+#include <random>
+
+#include "tests/extremes/stage.h"
+#include "tests/oracle/wide_kernels.h"
+#include "tests/oracle/wide_levels.h"
+#include "tracer/compile/compile.h"
+#include "tracer/intersect/nearest_contact.h"
+#include "tracer/shading/surface.h"
+#include "tracer/wide/flat_world.h"
+
+namespace lancer::oracle {
+namespace {
+
+/// Notes which hits are left to scalar code, and settles none.
+class NoMethods final : public wide::ExactMethods {
+  public:
+    std::size_t asked = 0;
+
+    void trace(const wide::LaneRay&, const wide::LaneStart&, double, int, double*) override {}
+    void shade(const wide::LaneRay&, const wide::LaneHit&, double, int, double*) override {}
+    void surface(const wide::LaneRay&, const wide::LaneHit&, wide::LaneSurface& s) override {
+        ++asked;
+        s = {};
+        s.error = -1;
+    }
+    void light(std::size_t, const double*, const double*, wide::LaneLight&) override {}
+    void crossings(std::uint32_t, const wide::LaneRay&, const wide::LaneStart&,
+                   const wide::HitSink&) override {}
+    bool blocks(std::uint32_t, const wide::LaneRay&, const wide::LaneStart&, double) override {
+        return false;
+    }
+    bool is_blocked(const wide::LaneRay&, const wide::LaneStart&, double) override { return false; }
+};
+
+/// Balls, boxes and planes, and meshes in frames, smooth and flat.
+Scene shapes(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto place = [&] {
+        const double x = 4 * unit(random) - 2;
+        const double y = 2 * unit(random);
+        return Vec3d(x, y, 4 * unit(random) - 2);
+    };
+    extremes::Stage s;
+    const std::uint32_t materials[] = {s.matt({0.2, 0.5, 0.7}), s.mirror(), s.matt({1, 0, 0.1})};
+    s.add(Plane{{0, 1, 0}, -0.3}, materials[0]);
+    s.add(Plane{{unit(random), 1, unit(random)}, -0.5}, materials[1]);
+    for (int i = 0; i < 12; ++i) {
+        const double size = 0.1 + 0.5 * unit(random);
+        const std::uint32_t material = materials[random() % 3];
+        const Vec3d p = place();
+        const Affine<double> map = compose(
+            extremes::shift(place()), compose(extremes::turn(i % 3, 360 * unit(random)),
+                                              extremes::stretched(1, 0.5 + unit(random), 0.5)));
+        switch (i % 4) {
+            case 0:
+                s.add(Sphere{p, size}, material);
+                break;
+            case 1:
+                s.add(Box{p, p + Vec3d(size, size / 2, size)}, material);
+                break;
+            case 2:
+                s.add(extremes::icosphere(p, size, 2), material);
+                break;
+            default:
+                s.add(extremes::icosphere(Vec3d(0), size, 2), material, map);
+                break;
+        }
+        if (auto* mesh = std::get_if<MeshRef>(&s.scene.objects.back().shape))
+            mesh->smooth = random() % 2 == 0;
+    }
+    return s.scene;
+}
+
+void put(const Vec3d& v, double (&to)[3]) {
+    for (int i = 0; i < 3; ++i) to[i] = v[i];
+}
+
+void expect_same(const double (&wide)[3], const Vec3d& expected, const char* what) {
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(wide[i], expected[i]) << what;
+}
+
+TEST(OracleWide, Surfaces) {
+    on_each_level([](const WideKernels& kernels) {
+        std::mt19937_64 random(11);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        const auto direction = [&] {
+            const double x = unit(random);
+            const double y = unit(random);
+            return normalize(Vec3d(x, y, unit(random)) + Vec3d(1e-3));
+        };
+        NoMethods exact;
+        std::size_t checked = 0;
+        for (int k = 0; k < 12; ++k) {
+            const Scene scene = shapes(random);
+            const auto world = compile_world<double>(scene, scene.settings);
+            const wide::FlatWorld flat(*world);
+            std::vector<wide::LaneRay> rays;
+            std::vector<wide::LaneHit> hits;
+            std::vector<Surface<double>> expected;
+            for (int i = 0; i < 4000; ++i) {
+                const Vec3d from =
+                    direction() * std::ldexp(1.0, static_cast<int>(random() % 8) - 3);
+                const Vec3d low = i % 2 == 0 ? Vec3d(0) : from * (unit(random) * 0x1p-54);
+                const Ray<double> ray =
+                    make_ray(from, low, normalize(direction() * 0.2 - from), 1e-17);
+                const auto contact = nearest_contact(*world, ray, Start<double>{}, NoMedia{});
+                if (contact.size() != 1) continue;
+                const Hit<double> hit = contact.front();
+                wide::LaneRay r{};
+                put(ray.origin, r.origin);
+                put(ray.origin_lo, r.origin_lo);
+                put(ray.dir, r.dir);
+                r.origin_error = ray.origin_error;
+                rays.push_back(r);
+                hits.push_back({hit.t, hit.error, hit.u, hit.v, hit.surface.primitive,
+                                hit.surface.face, hit.surface.entering});
+                expected.push_back(make_surface(*world, ray, hit));
+            }
+            for (std::size_t i = 0; i + 8 <= rays.size(); i += 8) {
+                wide::LaneSurface out[8];
+                kernels.surfaces(flat.scene(), exact, &rays[i], &hits[i], out);
+                for (std::size_t j = 0; j < 8; ++j) {
+                    if (out[j].error == -1) continue;  // left to scalar code
+                    const Surface<double>& s = expected[i + j];
+                    expect_same(out[j].position, s.position, "position");
+                    expect_same(out[j].position_lo, s.position_lo, "position_lo");
+                    expect_same(out[j].geometric, s.geometric, "geometric");
+                    expect_same(out[j].normal, s.normal, "normal");
+                    expect_same(out[j].color, s.color, "color");
+                    EXPECT_EQ(out[j].error, s.error);
+                    EXPECT_EQ(out[j].opacity, s.opacity);
+                    ++checked;
+                }
+            }
+        }
+        EXPECT_GT(checked, 10000u);
+        EXPECT_LT(exact.asked, checked / 50);
+    });
+}
+
+}  // namespace
+}  // namespace lancer::oracle
