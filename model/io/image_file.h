@@ -13,7 +13,8 @@ namespace lancer::io {
 struct ImageWriteOptions {
     int bits = 8;         ///< 8 or 16, for formats of whole numbers (PNG, TIFF, PPM)
     bool linear = false;  ///< whole-number formats: no sRGB curve
-    /// Names and values to stand in a PNG, as text "lancer:NAME". Other formats hold none.
+    /// Names and values to stand in a PNG, as text "lancer:NAME", or in an EXR, as an attribute of
+    /// this name. Other formats hold none.
     std::vector<std::pair<std::string, std::string>> notes{};
 };
 

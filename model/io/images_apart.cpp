@@ -58,6 +58,7 @@ StoredShape shape_to_store(const Image& image, const std::string& format,
     if (format == "openexr") {
         shape.channels = image.channels;
         shape.extra_names = image.extra_names;
+        shape.notes = options.notes;
         shape.premultiplied = color == 4;
     } else {
         shape.channels = format == "tiff" ? color : std::min(color, 3);

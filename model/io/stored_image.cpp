@@ -22,15 +22,15 @@ constexpr std::uint64_t longest_text = 1 << 16;
 
 enum class Content : std::uint32_t { picture = 1, file, problem };
 
-/// At the beginning of the memory; the text (the problem, or the names of the extra channels, each
-/// ended by a zero) follows, then the pixels or bytes.
+/// At the beginning of the memory; the text (the problem, or the names of the extra channels and
+/// the names and values of notes, each ended by a zero) follows, then the pixels or bytes.
 struct Header {
     std::uint32_t mark;
     Content content;
     std::uint32_t width, height, channels;
     SampleType type;
-    std::uint32_t premultiplied, orientation, extra_channels;
-    std::uint32_t text_size;
+    std::uint32_t premultiplied, orientation, extra_channels, notes;
+    std::uint32_t text_size, unused;
     std::uint64_t size;
 };
 
@@ -51,21 +51,32 @@ void read_at(int memory, void* data, std::size_t size, std::uint64_t at) {
     }
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string joined(const StoredShape& shape) {
     std::string text;
-    for (const std::string& name : names) text.append(name.c_str()).push_back('\0');
+    const auto add = [&](const std::string& word) { text.append(word.c_str()).push_back('\0'); };
+    for (const std::string& name : shape.extra_names) add(name);
+    for (const auto& [name, value] : shape.notes) {
+        add(name);
+        add(value);
+    }
     return text;
 }
 
-/// The names in `text`, or false when there are not as many as there should be.
-bool split(const std::string& text, std::uint32_t count, std::vector<std::string>& names) {
+/// The words in `text` are those of the shape; false when there are not as many as there should be.
+bool split(const std::string& text, const Header& header, StoredShape& shape) {
+    std::vector<std::string> words;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = text.find('\0', at);
         if (end == std::string::npos) return false;
-        names.push_back(text.substr(at, end - at));
+        words.push_back(text.substr(at, end - at));
         at = end + 1;
     }
-    return names.size() == count;
+    if (words.size() != header.extra_channels + std::uint64_t{2} * header.notes) return false;
+    const auto notes = words.begin() + static_cast<std::ptrdiff_t>(header.extra_channels);
+    for (auto word = notes; word != words.end(); word += 2)
+        shape.notes.emplace_back(word[0], word[1]);
+    shape.extra_names.assign(words.begin(), notes);
+    return true;
 }
 
 /// What a library says, on one line that a terminal can show.
@@ -222,13 +233,12 @@ void SharedSink::shape(const StoredShape& shape) {
 }
 
 void SharedSink::bytes(const void* data, std::size_t size) {
-    write_at(memory_, data, size, begin_after(joined(shape_.extra_names).size()) + written_);
+    write_at(memory_, data, size, begin_after(joined(shape_).size()) + written_);
     written_ += size;
 }
 
 void SharedSink::finish(const std::string& problem) {
-    const std::string text =
-        problem.empty() ? joined(shape_.extra_names) : problem.substr(0, longest_text);
+    const std::string text = problem.empty() ? joined(shape_) : problem.substr(0, longest_text);
     if (!problem.empty() && ftruncate(memory_, 0) != 0)
         throw system_error("cannot write", "shared memory", errno);
     write_at(memory_, text.data(), text.size(), sizeof(Header));
@@ -244,6 +254,7 @@ void SharedSink::finish(const std::string& problem) {
     header.premultiplied = shape_.premultiplied ? 1 : 0;
     header.orientation = static_cast<std::uint32_t>(shape_.orientation);
     header.extra_channels = static_cast<std::uint32_t>(shape_.extra_names.size());
+    header.notes = static_cast<std::uint32_t>(shape_.notes.size());
     header.text_size = static_cast<std::uint32_t>(text.size());
     header.size = problem.empty() ? written_ : 0;
     write_at(memory_, &header, sizeof header, 0);
@@ -268,7 +279,7 @@ SharedResult read_shared(int memory) {
     result.size = header.size;
     if (header.content == Content::picture) {
         StoredShape& shape = result.shape;
-        if (!split(text, header.extra_channels, shape.extra_names)) return result;
+        if (!split(text, header, shape)) return result;
         for (std::string& name : shape.extra_names) name = printable(name);
         shape.width = static_cast<int>(header.width);
         shape.height = static_cast<int>(header.height);

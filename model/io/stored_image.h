@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/image.h"
@@ -37,6 +38,8 @@ struct StoredShape {
     bool premultiplied = false;  ///< alpha is multiplied into the colours
     int orientation = 1;         ///< 1 to 8, as EXIF and TIFF number them: how to turn it upright
     std::vector<std::string> extra_names;
+    /// Of a picture that is written: ImageWriteOptions::notes.
+    std::vector<std::pair<std::string, std::string>> notes{};
 
     std::size_t row_bytes() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels) *

@@ -44,6 +44,8 @@ TEST_F(MaxError, IsHeldAndToldAndWritten) {
                       "--min-contribution", "0", "-o", "truth.exr"})
                   .code,
               0);
+    for (const char* name : {"lancer:error.asked", "lancer:error.low", "lancer:rays.per_pixel"})
+        EXPECT_THAT(place_.read("a.exr"), HasSubstr(name));
     const double error = rms_difference("a.exr", "truth.exr");
     EXPECT_LE(error, 0.01);
     const nlohmann::json told = nlohmann::json::parse(place_.read("s.json")).at("error");

@@ -151,6 +151,7 @@ OIIO::ImageSpec spec_of(const StoredShape& shape, const std::string& format) {
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the time of writing, in EXR
     }
+    for (const auto& [name, value] : shape.notes) spec.attribute("lancer:" + name, value);
     return spec;
 }
 
