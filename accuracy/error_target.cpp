@@ -59,7 +59,7 @@ class Search {
         } else {
             refine_to(sampling_share * square(goal_.max_error) - bias_);
         }
-        return result();
+        return finished(*samples_, prediction_, std::move(report_));
     }
 
   private:
@@ -257,28 +257,6 @@ class Search {
         report_.dominant = dominant_pixels(last, *samples_, 3);
     }
 
-    ErrorPicture result() {
-        ErrorPicture picture;
-        picture.image = samples_->image();
-        const double mean_square = prediction_.mean_square(*samples_);
-        double scores = 0;
-        for (std::size_t i = 0; i < samples_->size(); ++i) {
-            const std::uint32_t n = samples_->pixels()[i].count;
-            picture.counts.push_back(n);
-            picture.errors.push_back(std::sqrt(prediction_.of(i, n) / 3));
-            scores += prediction_.of(i, 1);
-        }
-        const double pixels = static_cast<double>(samples_->size());
-        report_.predicted = std::sqrt(mean_square);
-        report_.picture = samples_->rays();
-        report_.rays_per_pixel = static_cast<double>(report_.picture.primary) / pixels;
-        if (mean_square > 0)
-            report_.even_rays_per_pixel =
-                elementary::pow(scores / (3 * pixels * mean_square), 2.0 / 3);
-        picture.report = report_;
-        return picture;
-    }
-
     const Renderer& renderer_;
     const Truth& truth_;
     const View view_;
@@ -298,16 +276,6 @@ class Search {
 };
 
 }  // namespace
-
-bool ErrorReport::is_flat() const {
-    constexpr double nearly_none = 0.1;  // far below where refining stops, far above rounding
-    return audited && error.all_zero && !rare_light && predicted <= nearly_none * asked;
-}
-
-bool ErrorReport::is_reached() const {
-    if (!audited) return predicted <= asked;
-    return !rare_light && (is_flat() || (is_told && error.high <= asked));
-}
 
 ErrorPicture render_to_error(const Renderer& renderer, const Truth& truth, const View& view,
                              const ErrorGoal& goal, const Progress& progress) {

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
+#include "accuracy/error_target.h"
+#include "accuracy/passes.h"
 #include "cli/session.h"
 #include "cli/stopwatch.h"
 
@@ -60,9 +63,103 @@ std::string places(const std::vector<accuracy::PixelShare>& pixels) {
 }
 
 std::string cost(const accuracy::ErrorReport& r) {
-    return fmt::format("{:.3g} rays a pixel; as many in each would take about {:.2g}",
-                       r.rays_per_pixel, std::max(r.even_rays_per_pixel, r.rays_per_pixel));
+    std::string text =
+        fmt::format("{:.3g} rays a pixel; as many in each would take about {:.2g}",
+                    r.rays_per_pixel, std::max(r.even_rays_per_pixel, r.rays_per_pixel));
+    if (r.passes > 0) text += fmt::format("; --passes {} makes it again", r.passes);
+    return text;
 }
+
+/// The worlds that the picture is made from and judged by.
+struct Setting {
+    Setting(const Scene& scene, const SettingsOptions& options, double error, Level level) {
+        const Stopwatch watch;
+        Settings wanted = scene.settings;
+        options.apply_to(wanted);
+        const Settings truth = true_settings(scene, wanted, error);
+        Settings picture = wanted;
+        picture.samples = 1;
+        picture.max_depth = truth.max_depth;
+        picture.min_contribution = truth.min_contribution;
+        seed = wanted.seed;
+        if (options.max_depth) fixed.max_depth = wanted.max_depth;
+        if (options.min_contribution) fixed.min_contribution = wanted.min_contribution;
+        judge = compile(scene, truth, level);
+        if (leaves_out(picture, truth)) other = compile(scene, picture, level);
+        build_seconds = watch.seconds();
+    }
+
+    const Renderer& renderer() const { return other ? *other : *judge; }
+    accuracy::Truth truth(double error) const { return {*judge, accuracy::limits_of_truth(error)}; }
+    ErrorRun run(accuracy::ErrorPicture made, const View& view) const {
+        ErrorRun run;
+        run.build_seconds = build_seconds;
+        run.image = std::move(made.image);
+        run.report = made.report;
+        if (view.aov) {
+            RayCounts uncounted;  // as for every picture
+            add_channels(run.image, renderer().render(view, {}, uncounted), made);
+        }
+        run.world = renderer().counts();
+        run.level = renderer().level();
+        return run;
+    }
+
+    std::unique_ptr<Renderer> judge;
+    std::unique_ptr<Renderer> other;  ///< the picture's own, when it leaves out more than limits do
+    accuracy::FixedLimits fixed;
+    std::uint64_t seed = 0;
+    double build_seconds = 0;
+};
+
+/// Whether there is time for one more pass. The clock decides how many there are, and nothing else.
+class PassPace {
+  public:
+    PassPace(const ErrorOptions& options, const PassClock& clock)
+        : options_(options), clock_(clock), last_(clock.seconds()) {}
+
+    bool go_on(const accuracy::PassState& state) {
+        const double now = clock_.seconds();
+        if (state.rays > rays_) {
+            const double per_ray = (now - last_) / static_cast<double>(state.rays - rays_);
+            // The first passes are alike; later ones go where rays cost more, as audits do.
+            per_ray_ = state.passes > 9 ? 0.8 * per_ray_ + 0.2 * per_ray : per_ray;
+        }
+        rays_ = state.rays;
+        if (state.passes > 0) show(state, now);
+        last_ = clock_.seconds();
+        if (options_.passes) return state.passes < *options_.passes;
+        const double needed =
+            per_ray_ * static_cast<double>(state.next + state.audits) + show_seconds_;
+        if (state.passes == 0) check(needed);
+        return last_ + needed <= *options_.seconds;
+    }
+
+  private:
+    /// A few spread rays cost more each than those of a picture: only what is far off is refused.
+    void check(double needed) const {
+        if (last_ + needed / 3 <= *options_.seconds) return;
+        throw UsageError(fmt::format(
+            "--time {:g} is too short for a ray a pixel and {}: that takes about {:.2g} s",
+            *options_.seconds, options_.no_audit ? "the file" : "an audit", last_ + needed));
+    }
+
+    /// After the first pass, and whenever the time has doubled.
+    void show(const accuracy::PassState& state, double now) {
+        if (state.passes > 1 && now < next_show_) return;
+        clock_.show(state.samples.image());
+        show_seconds_ = clock_.seconds() - now;
+        next_show_ = std::max(2 * now, now + 20 * show_seconds_);
+    }
+
+    const ErrorOptions& options_;
+    const PassClock& clock_;
+    double last_;
+    std::uint64_t rays_ = 0;
+    double per_ray_ = 0;
+    double next_show_ = 0;
+    double show_seconds_ = 0;
+};
 
 }  // namespace
 
@@ -70,48 +167,42 @@ ErrorRun render_to_error(const Scene& scene, const SettingsOptions& options,
                          const ErrorOptions& errors, Level level, const View& view,
                          const Progress& progress) {
     const double error = errors.max_error.value();
-    Settings wanted = scene.settings;
-    options.apply_to(wanted);
-    const Settings truth = true_settings(scene, wanted, error);
-    Settings picture = wanted;
-    picture.samples = 1;
-    picture.max_depth = truth.max_depth;
-    picture.min_contribution = truth.min_contribution;
-
-    ErrorRun run;
-    Stopwatch watch;
+    const Setting setting(scene, options, error, level);
     accuracy::ErrorGoal goal;
     goal.max_error = error;
-    goal.seed = wanted.seed;
+    goal.seed = setting.seed;
     goal.audited = !errors.no_audit;
-    goal.leaves_out = leaves_out(picture, truth);
-    if (options.max_depth) goal.fixed.max_depth = wanted.max_depth;
-    if (options.min_contribution) goal.fixed.min_contribution = wanted.min_contribution;
-    const std::unique_ptr<Renderer> judge = compile(scene, truth, level);
-    std::unique_ptr<Renderer> other;
-    if (goal.leaves_out) other = compile(scene, picture, level);
-    const Renderer& renderer = other ? *other : *judge;
-    run.build_seconds = watch.seconds();
+    goal.leaves_out = setting.other != nullptr;
+    goal.fixed = setting.fixed;
     try {
-        accuracy::ErrorPicture made = accuracy::render_to_error(
-            renderer, {*judge, accuracy::limits_of_truth(error)}, view, goal, progress);
-        run.image = std::move(made.image);
-        run.report = made.report;
-        if (view.aov) {
-            RayCounts uncounted;  // as for every picture
-            add_channels(run.image, renderer.render(view, {}, uncounted), made);
-        }
+        return setting.run(accuracy::render_to_error(setting.renderer(), setting.truth(error), view,
+                                                     goal, progress),
+                           view);
     } catch (const accuracy::Unreachable& refused) {
         throw UsageError(std::string("--max-error: ") + refused.what());
     }
-    run.world = renderer.counts();
-    run.level = renderer.level();
-    return run;
+}
+
+ErrorRun render_by_passes(const Scene& scene, const SettingsOptions& options,
+                          const ErrorOptions& errors, Level level, const View& view,
+                          const PassClock& clock) {
+    constexpr double error = 0.001;  // which the truth's limits may cut a hundredth of
+    const Setting setting(scene, options, error, level);
+    accuracy::PassGoal goal;
+    goal.seed = setting.seed;
+    goal.audited = !errors.no_audit;
+    goal.fixed = setting.fixed;
+    PassPace pace(errors, clock);
+    return setting.run(
+        accuracy::render_by_passes(setting.renderer(), setting.truth(error), view, goal,
+                                   [&](const accuracy::PassState& s) { return pace.go_on(s); }),
+        view);
 }
 
 std::string error_line(const accuracy::ErrorReport& r) {
     const accuracy::ErrorEstimate& e = r.error;
-    const std::string asked = fmt::format("asked {:.3g}; {}", r.asked, cost(r));
+    const std::string asked =
+        r.asked > 0 ? fmt::format("asked {:.3g}; {}", r.asked, cost(r)) : cost(r);
     if (!r.audited)
         return fmt::format("RMSE about {:.2g} by its own samples, not audited, {}", r.predicted,
                            asked);
@@ -143,7 +234,8 @@ std::string error_line(const accuracy::ErrorReport& r) {
 std::vector<std::pair<std::string, std::string>> error_notes(const accuracy::ErrorReport& r) {
     const accuracy::ErrorEstimate& e = r.error;
     std::vector<std::pair<std::string, std::string>> notes;
-    notes.emplace_back("error.asked", fmt::format("{:.6g}", r.asked));
+    if (r.asked > 0) notes.emplace_back("error.asked", fmt::format("{:.6g}", r.asked));
+    if (r.passes > 0) notes.emplace_back("passes", fmt::format("{}", r.passes));
     if (r.audited && r.is_told) {
         notes.emplace_back("error.rmse", fmt::format("{:.6g}", e.rmse));
         notes.emplace_back("error.low", fmt::format("{:.6g}", e.low));

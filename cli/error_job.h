@@ -1,12 +1,15 @@
-// `render --max-error`: which settings count as the truth, and what is said of the error.
+// `render` by an error, a time or passes: which settings count as the truth, and what is said of
+// the error.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "accuracy/error_target.h"
+#include "accuracy/error_picture.h"
 #include "cli/settings_options.h"
 #include "model/scene.h"
 #include "tracer/render.h"
@@ -15,7 +18,12 @@ namespace lancer::cli {
 
 struct ErrorOptions {
     std::optional<double> max_error;
+    std::optional<double> seconds;       ///< --time
+    std::optional<std::int64_t> passes;  ///< --passes
     bool no_audit = false;
+
+    /// In place of a number of samples.
+    bool any() const { return max_error || seconds || passes; }
 };
 
 /// A picture with a told error, and what the statistics say of its world.
@@ -34,6 +42,20 @@ struct ErrorRun {
 ErrorRun render_to_error(const Scene& scene, const SettingsOptions& settings,
                          const ErrorOptions& options, Level level, const View& view,
                          const Progress& progress);
+
+/// A picture that gets better pass by pass.
+struct PassClock {
+    /// Since the work on the picture began, with its script and its world.
+    std::function<double()> seconds;
+    /// Takes the picture as it is now, to show or to store it.
+    std::function<void(const Image&)> show;
+};
+
+/// As many passes as options.passes says or as options.seconds has time for, audits and the writing
+/// of the file included. Throws UsageError when the time is too short for a ray a pixel.
+ErrorRun render_by_passes(const Scene& scene, const SettingsOptions& settings,
+                          const ErrorOptions& options, Level level, const View& view,
+                          const PassClock& clock);
 
 /// One line: the error with its interval, or why it cannot be told, and what it cost.
 std::string error_line(const accuracy::ErrorReport& report);

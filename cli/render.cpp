@@ -8,15 +8,6 @@
 namespace lancer::cli {
 namespace {
 
-/// Options whose feature has not been built say so, instead of being unknown.
-void add_not_yet(CLI::App& app, const std::string& name, const std::string& type,
-                 const std::string& help) {
-    app.add_option_function<std::string>(
-           name, [name](const std::string&) { throw UsageError(name + " is not there yet"); },
-           help + " (not there yet)")
-        ->type_name(type);
-}
-
 void add_output_options(CLI::App& app, RenderJob& job) {
     const char* group = "Output";
     app.add_option_function<std::string>(
@@ -90,8 +81,16 @@ void add_error_options(CLI::App& app, RenderJob& job) {
                "Sample until the error (RMSE, linear light) is below E, and tell it")
         ->type_name("E")
         ->group(group);
+    add_number(app, "--time", job.error.seconds, 0.01, 1e6,
+               "The best picture within S seconds, pass by pass")
+        ->type_name("S")
+        ->group(group);
+    add_whole_number(app, "--passes", job.error.passes, 1, 1'000'000,
+                     "As many passes of --time: the same picture as with so many")
+        ->type_name("K")
+        ->group(group);
     app.add_flag("--no-audit", job.error.no_audit,
-                 "With --max-error: no rays beside those of the picture, and no interval")
+                 "With one of these: no rays beside those of the picture, and no interval")
         ->group(group);
 }
 
@@ -114,7 +113,6 @@ void add_render(CLI::App& app, Action& action) {
             "same")
         ->type_name("NAME");
     add_error_options(command, *job);
-    add_not_yet(command, "--time", "S", "The best picture within S seconds");
     add_scene_options(command, job->scene_options);
     command.callback(
         [&action, job] { action = [job](Session& session) { return run(*job, session); }; });

@@ -22,14 +22,23 @@ constexpr std::uint64_t most_frames_known = 100'000;
 
 /// Options that contradict each other.
 void check_options(const RenderJob& job) {
-    if (!job.error.max_error) {
-        if (job.error.no_audit) throw UsageError("--no-audit needs --max-error");
+    const ErrorOptions& error = job.error;
+    if (!error.any()) {
+        if (error.no_audit)
+            throw UsageError("--no-audit goes with --max-error, --time or --passes");
         return;
     }
+    const std::string option = error.max_error ? "--max-error"
+                               : error.seconds ? "--time"
+                                               : "--passes";
+    if (int(error.max_error.has_value()) + int(error.seconds.has_value()) +
+            int(error.passes.has_value()) >
+        1)
+        throw UsageError("one of --max-error, --time and --passes, not two");
     if (job.settings.samples)
-        throw UsageError("--max-error chooses the samples: leave --samples out");
+        throw UsageError(option + " chooses the samples: leave --samples out");
     if (job.settings.sampling == Sampling::grid)
-        throw UsageError("--max-error samples at sobol points, not on a grid");
+        throw UsageError(option + " samples at sobol points, not on a grid");
 }
 
 /// What can be said of the output's name before any work.
@@ -89,7 +98,7 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     const int width = view.crop ? view.crop->width : view.width;
     const int height = view.crop ? view.crop->height : view.height;
     constexpr int sampled = 20;  // sums, scores and predictions, counted as channels
-    const int channels = (job.aov ? 9 : 3) + (job.error.max_error ? sampled : 0);
+    const int channels = (job.aov ? 9 : 3) + (job.error.any() ? sampled : 0);
     const std::uint64_t needed = picture_bytes(width, height, channels);
     if (needed > available_memory()) {
         const std::string message =
@@ -111,6 +120,8 @@ class Rendering {
 
     /// One picture, from the script to the file.
     void render(double frame, double time, const std::string& output) {
+        // What came before the first picture counts for it.
+        const Stopwatch begun = statistics_.frames == 0 ? watch_ : Stopwatch();
         progress_.clear();  // the script may print
         Scene scene = loader_.load(frame, time);
         if (job_.preview) scene.settings.samples = 1;
@@ -119,11 +130,12 @@ class Rendering {
 
         progress_.begin_part(statistics_.frames);
         io::ImageWriteOptions written = job_.image;
-        const Image image =
-            job_.error.max_error ? image_to_error(scene, view, written) : image_as_set(scene, view);
+        const Image image = job_.error.any() ? image_by_error(scene, view, output, begun, written)
+                                             : image_as_set(scene, view);
         const Stopwatch watch;
         io::write_image(output, image, written);
         statistics_.write += watch.seconds();
+        late_ = late_ || (job_.error.seconds && is_late(begun.seconds(), *job_.error.seconds));
         ++statistics_.frames;
         width_ = image.width;
         height_ = image.height;
@@ -142,12 +154,15 @@ class Rendering {
                 fmt::format("{} ({}x{}) in {:.2f} s\n", what, width_, height_, statistics_.total));
             if (statistics_.error)
                 session_.output.say(fmt::format("{}\n", error_line(*statistics_.error)));
+            if (late_)
+                session_.output.say(
+                    "the time was too short: the least that makes a picture took longer\n");
         }
     }
 
     ExitCode code() const {
-        return statistics_.error && !statistics_.error->is_reached() ? ExitCode::differs
-                                                                     : ExitCode::done;
+        const bool missed = statistics_.error && !statistics_.error->is_reached();
+        return missed || late_ ? ExitCode::differs : ExitCode::done;
     }
 
   private:
@@ -172,10 +187,16 @@ class Rendering {
         return image;
     }
 
-    /// With the samples that the error asks for.
-    Image image_to_error(const Scene& scene, const View& view, io::ImageWriteOptions& written) {
+    /// With the samples that an error asks for, or that there is time for.
+    Image image_by_error(const Scene& scene, const View& view, const std::string& output,
+                         const Stopwatch& begun, io::ImageWriteOptions& written) {
         const Stopwatch watch;
-        ErrorRun run = render_to_error(scene, job_.settings, job_.error, job_.level, view, shown());
+        ErrorRun run =
+            job_.error.max_error
+                ? render_to_error(scene, job_.settings, job_.error, job_.level, view, shown())
+                : render_by_passes(scene, job_.settings, job_.error, job_.level, view,
+                                   {[&] { return begun.seconds(); },
+                                    [&](const Image& image) { show(image, view, output, begun); }});
         statistics_.build += run.build_seconds;
         statistics_.trace += watch.seconds() - run.build_seconds;
         statistics_.count(scene, run.world);
@@ -190,6 +211,18 @@ class Rendering {
         return std::move(run.image);
     }
 
+    /// The file is a whole picture early, and a better one later. A stream gets the last alone.
+    void show(const Image& image, const View& view, const std::string& output,
+              const Stopwatch& begun) {
+        if (job_.error.seconds)
+            progress_.update(std::min(0.99, begun.seconds() / *job_.error.seconds));
+        if (!io::is_stream(output) && !view.aov) io::write_image(output, image, job_.image);
+    }
+
+    static bool is_late(double seconds, double asked) {
+        return seconds > asked + std::max(0.05 * asked, 0.2);
+    }
+
     static std::size_t frame_count(const RenderJob& job) {
         return job.frames ? static_cast<std::size_t>(job.frames->count()) : 1;
     }
@@ -202,6 +235,7 @@ class Rendering {
     Statistics statistics_;
     int width_ = 0;
     int height_ = 0;
+    bool late_ = false;
 };
 
 }  // namespace

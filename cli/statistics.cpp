@@ -20,12 +20,20 @@ nlohmann::ordered_json error_json(const accuracy::ErrorReport& r) {
     const auto if_told = [&](double value) {
         return r.is_told ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
     };
-    return {{"rmse", if_told(r.error.rmse)},     {"low", if_told(r.error.low)},
-            {"high", if_told(r.error.high)},     {"asked", r.asked},
-            {"audit_rays", r.printed.primary},   {"deciding_rays", r.deciding.primary},
-            {"picture_rays", r.picture.primary}, {"predicted", r.predicted},
-            {"max_depth", r.limits.max_depth},   {"min_contribution", r.limits.min_contribution},
-            {"reached", r.is_reached()}};
+    nlohmann::ordered_json json{
+        {"rmse", if_told(r.error.rmse)},
+        {"low", if_told(r.error.low)},
+        {"high", if_told(r.error.high)},
+        {"asked", r.asked > 0 ? nlohmann::ordered_json(r.asked) : nlohmann::ordered_json()},
+        {"audit_rays", r.printed.primary},
+        {"deciding_rays", r.deciding.primary},
+        {"picture_rays", r.picture.primary},
+        {"predicted", r.predicted},
+        {"max_depth", r.limits.max_depth},
+        {"min_contribution", r.limits.min_contribution},
+        {"reached", r.is_reached()}};
+    if (r.passes > 0) json["passes"] = r.passes;
+    return json;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "accuracy/error_target.h"
+#include "accuracy/error_picture.h"
 #include "model/scene.h"
 #include "tracer/render.h"
 

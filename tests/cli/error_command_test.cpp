@@ -119,5 +119,37 @@ TEST_F(MaxError, HoldsForFramesAndCrops) {
     EXPECT_EQ(place_.image("c.png").width, 30);
 }
 
+TEST_F(MaxError, PassesGiveTheSameBytesForAnyNumberOfThreads) {
+    ASSERT_EQ(render({"--passes", "14", "--threads", "1", "-o", "a.exr"}).code, 0);
+    const Finished finished = render({"--passes", "14", "--threads", "3", "-o", "b.exr"});
+    EXPECT_THAT(finished.out, HasSubstr("; --passes 14 makes it again"));
+    EXPECT_EQ(place_.read("a.exr"), place_.read("b.exr"));
+    EXPECT_THAT(place_.read("a.exr"), HasSubstr("lancer:passes"));
+    ASSERT_EQ(render({"--passes", "15", "-o", "b.exr"}).code, 0);
+    EXPECT_NE(place_.read("a.exr"), place_.read("b.exr"));
+}
+
+/// A machine with other work may be late; then the exit code says so.
+TEST_F(MaxError, ATimeGivesAPictureThatItsPassesMakeAgain) {
+    const Finished finished = render({"--time", "2", "-o", "a.png", "--stats", "s.json"});
+    if (finished.code == 2) GTEST_SKIP() << "this machine has no two seconds: " << finished.err;
+    const nlohmann::json told = nlohmann::json::parse(place_.read("s.json"));
+    const double seconds = told.at("seconds").at("total");
+    EXPECT_EQ(finished.code, seconds > 2.2 ? 1 : 0) << seconds << finished.out << finished.err;
+    EXPECT_TRUE(told.at("error").at("asked").is_null());
+    const int passes = told.at("error").at("passes");
+    const Finished again = render({"--passes", std::to_string(passes), "-o", "b.png"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(place_.read("a.png"), place_.read("b.png"));
+}
+
+TEST_F(MaxError, ATimeTooShortForARayAPixelIsRefusedWithoutAPicture) {
+    const Finished finished = render({"--time", "0.01", "--size", "6000x4000"});
+    EXPECT_EQ(finished.code, 2) << finished.out;
+    EXPECT_THAT(finished.err, HasSubstr("--time 0.01 is too short"));
+    EXPECT_THAT(finished.err, HasSubstr("that takes about"));
+    EXPECT_THAT(place_.files(), ElementsAre("a.lancer"));
+}
+
 }  // namespace
 }  // namespace lancer::cli

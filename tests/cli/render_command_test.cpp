@@ -275,7 +275,10 @@ TEST_F(Render, WrongUseIsToldApart) {
                                                {"--precision", "half"},
                                                {"--level", "mmx"},
                                                {"--max-error", "2"},
-                                               {"--time", "5"},
+                                               {"--time", "0"},
+                                               {"--passes", "0"},
+                                               {"--time", "1", "--passes", "2"},
+                                               {"--time", "1", "--samples", "2"},
                                                {"--limit-calls", "0"},
                                                {"-o"},
                                                {"b.lancer"}}) {

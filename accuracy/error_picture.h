@@ -1,0 +1,48 @@
+// A finished picture with what is known of its error.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "accuracy/audit.h"
+#include "accuracy/prediction.h"
+
+namespace lancer::accuracy {
+
+struct ErrorReport {
+    double asked = 0;  ///< 0: no error, but a time or a number of passes
+    int passes = 0;    ///< then: how many were made
+    bool audited = false;
+    /// Earlier audits say that one that is printed can be relied on. They alone decide it: were
+    /// low draws printed and high ones refused, intervals would be too low.
+    bool is_told = false;
+    ErrorEstimate error;               ///< of the audit that is printed; without one, nothing
+    double effective_draws = 0;        ///< of the last audit that decided
+    bool rare_light = false;           ///< specks were met that speak of others: nothing is told
+    std::vector<PixelShare> dominant;  ///< where that audit found most, or those specks
+    double predicted = 0;              ///< RMSE, from the picture's own samples
+    TraceLimits limits;                ///< that the picture was made with
+    double rays_per_pixel = 0;         ///< through the image plane
+    double even_rays_per_pixel = 0;    ///< predicted: as many everywhere for the same error
+    RayCounts picture;                 ///< rays that entered the picture
+    RayCounts deciding;                ///< rays that chose limits or decided on going on
+    RayCounts printed;                 ///< rays of the audit that is printed
+
+    /// No draw found any difference, and the picture's own samples know of none either.
+    bool is_flat() const;
+    /// Told, and below what was asked; or flat. Without an audit, predicted so. True when no error
+    /// was asked for.
+    bool is_reached() const;
+};
+
+struct ErrorPicture {
+    Image image;
+    ErrorReport report;
+    std::vector<double> errors;         ///< standard error per pixel, RMS over channels: a guess
+    std::vector<std::uint32_t> counts;  ///< samples per pixel
+};
+
+/// The picture that the samples make; fills in what the report says of them.
+ErrorPicture finished(const Samples& samples, const Prediction& prediction, ErrorReport report);
+
+}  // namespace lancer::accuracy
