@@ -92,7 +92,7 @@ class Renderer {
 
     virtual WorldCounts counts() const = 0;
 
-    /// How many rays go side by side: scalar for worlds that faster levels do not know.
+    /// How many rays go side by side, where they do: scalar in other types than double.
     virtual Level level() const = 0;
 };
 

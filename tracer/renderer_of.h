@@ -25,8 +25,7 @@ class RendererOf final : public Renderer {
     RendererOf(const Scene& scene, const Settings& settings, Level level = Level::scalar)
         : world_(compile_world<Real>(scene, settings)), cameras_(scene.cameras) {
         if constexpr (has_wide) {
-            if (level != Level::scalar && WideWorld::is_for(*world_))
-                wide_ = std::make_unique<WideWorld>(*world_, level);
+            if (level != Level::scalar) wide_ = std::make_unique<WideWorld>(*world_, level);
         }
     }
     RendererOf(const Scene& scene, const Settings& settings, const PovRayRules& by_povray)

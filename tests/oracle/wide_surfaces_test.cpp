@@ -30,7 +30,7 @@ class NoMethods final : public wide::ExactMethods {
     bool blocks(std::uint32_t, const wide::LaneRay&, const wide::LaneStart&, double) override {
         return false;
     }
-    bool is_blocked(const wide::LaneRay&, const wide::LaneStart&, double) override { return false; }
+    void light_share(const wide::LaneRay&, const wide::LaneStart&, double, double*) override {}
 };
 
 /// Balls, boxes and planes, and meshes in frames, smooth and flat.

@@ -34,6 +34,13 @@ class Whitted {
         return trace(ray, {at_camera}, origins_.around(world_, from_camera), weight, 0, {});
     }
 
+    /// The colour that a ray brings which is in no body.
+    Vec3<Real> trace_outside(const Ray<Real>& ray, const Start<Real>& start, Real weight,
+                             int level) {
+        const SurfaceId turn = start.surfaces.empty() ? SurfaceId{} : start.surfaces.front();
+        return trace(ray, start, Media{}, weight, level, turn);
+    }
+
   private:
     using Step = Crossed<Real, Media>;
 

@@ -67,7 +67,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.finishes = finishes_.data();
     scene_.lights = lights_.data();
     scene_.light_count = lights_.size();
-    put(world.background, scene_.background);
+    put(world.background + Vec3d(0), scene_.background);
 }
 
 void FlatWorld::add(const Primitive<double>& primitive) {
@@ -81,6 +81,8 @@ void FlatWorld::add(const Primitive<double>& primitive) {
     item.material = primitive.material;
     item.convex = primitive.convex;
     item.casts_shadow = primitive.casts_shadow;
+    item.glassy = primitive.transmissive || primitive.medium;
+    scene_.has_glassy = scene_.has_glassy || item.glassy;
     items_.push_back(item);
 }
 

@@ -1,5 +1,4 @@
-// What the lights bring out of eight surfaces: shading/lighting.h for lanes, in worlds where
-// nothing lets light pass.
+// What the lights bring out of eight surfaces: shading/lighting.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -99,17 +98,21 @@ inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, con
         Mask lit = mask & less(zero, cosine) & (glossy | matt) &
                    less(zero, max_component(absolute(at.color)));
         if (lit == 0) continue;
+        Vectors share{all(1.0), all(1.0), all(1.0)};
         if (light.shadows) {
             job.counts.shadow += static_cast<std::uint64_t>(__builtin_popcount(lit));
             const Rays to_light = make_rays(s.position, s.position_lo, at.direction, s.error);
             set_left(scene, hits, s, at.direction, lit, starts);
-            lit &= ~ShadowQuery(job, to_light, starts, at.distance).blocked(lit);
+            lit = ShadowQuery(job, to_light, starts, at.distance).lit(lit, share);
             if (lit == 0) continue;
         }
-        Vectors more = sum + s.opacity * s.color * at.color * (s.diffuse * cosine);
+        const Vectors color = at.color * share;
+        lit &= less(zero, max_component(absolute(color)));
+        if (lit == 0) continue;
+        Vectors more = sum + s.opacity * s.color * color * (s.diffuse * cosine);
         if ((glossy & lit) != 0 && !light.fill) {
             const Numbers strength = highlight(s, r.dir, mirror, at.direction, lit);
-            more = select(glossy, more + at.color * strength, more);
+            more = select(glossy, more + color * strength, more);
         }
         sum = select(lit, more, sum);
     }

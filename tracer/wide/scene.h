@@ -95,6 +95,7 @@ struct Item {
     Kind kind = Kind::other;
     bool convex = false;
     bool casts_shadow = true;
+    bool glassy = false;  ///< lets light pass, or is a medium: rays that meet it are scalar code's
 };
 
 /// What of Finish<double> wide code computes with.
@@ -141,6 +142,7 @@ struct Scene {
     const Light* lights;
     std::size_t light_count;
     double background[3];
+    bool has_glassy;
     int max_depth;
     double min_contribution;
 };
@@ -188,10 +190,10 @@ struct HitSink {
 /// own counts.
 class ExactMethods {
   public:
-    /// The light that a ray brings.
+    /// The light that a ray brings which is in no body.
     virtual void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
                        double* color) = 0;
-    /// The same where it is known what the ray meets first.
+    /// The same where it is known what the ray meets first; in worlds without glassy items.
     virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
                        double* color) = 0;
     virtual void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) = 0;
@@ -203,8 +205,9 @@ class ExactMethods {
     /// Whether the item lies on the way to a light.
     virtual bool blocks(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                         double distance) = 0;
-    /// Whether anything does.
-    virtual bool is_blocked(const LaneRay& ray, const LaneStart& start, double distance) = 0;
+    /// The share of a light that reaches the start of a ray which is in no body, by colour.
+    virtual void light_share(const LaneRay& ray, const LaneStart& start, double distance,
+                             double* share) = 0;
 
   protected:
     ~ExactMethods() = default;

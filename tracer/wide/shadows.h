@@ -1,5 +1,4 @@
-// Which of eight rays to a light are blocked: query_occlusion() for lanes, in worlds where nothing
-// lets light pass.
+// How much of a light reaches eight points: light_through() for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -11,7 +10,10 @@ class ShadowQuery {
     ShadowQuery(const Job& job, const Rays& r, const Starts& starts, const Numbers& distance)
         : job_(job), scene_(*job.scene), rays_(r), starts_(starts), distance_(distance) {}
 
-    Mask blocked(Mask active) {
+    /// \param share  gets the share of the light, by colour, of the rays of the mask
+    ///
+    /// \return the rays that get any
+    Mask lit(Mask active, Vectors& share) {
         ask_planes(active);
         Mask open = active & ~blocked_;
         if (open != 0) {
@@ -23,11 +25,16 @@ class ShadowQuery {
                          }
                      });
         }
-        for_each_lane(unsure_ & ~blocked_, [&](int i) {
-            if (job_.exact->is_blocked(lane_ray(rays_, i), starts_.lane(i), lane(distance_, i)))
-                blocked_ |= Mask(1) << i;
+        const Numbers one = all(1.0);
+        share = {one, one, one};
+        for_each_lane(active & unsure_ & ~blocked_, [&](int i) {
+            double of_lane[3];
+            job_.exact->light_share(lane_ray(rays_, i), starts_.lane(i), lane(distance_, i),
+                                    of_lane);
+            set_lane(share, i, of_lane);
+            if (of_lane[0] == 0 && of_lane[1] == 0 && of_lane[2] == 0) blocked_ |= Mask(1) << i;
         });
-        return blocked_;
+        return active & ~blocked_;
     }
 
   private:
@@ -38,7 +45,8 @@ class ShadowQuery {
             const Mask mask =
                 active & ~blocked_ & ~equal(starts_.item, i) & ~equal(starts_.left, i);
             if (mask == 0) continue;
-            note(PlaneShadow(scene_.planes[i - scene_.bounded], rays_, mask, distance_));
+            note(PlaneShadow(scene_.planes[i - scene_.bounded], rays_, mask, distance_),
+                 scene_.items[i].glassy);
         }
     }
 
@@ -47,30 +55,39 @@ class ShadowQuery {
         mask &= ~equal(starts_.left, index);
         if (!item.casts_shadow || mask == 0) return;
         if (item.kind == Kind::mesh) {
-            note(MeshShadow(scene_.meshes[item.shape], index, rays_, starts_, mask, distance_));
+            note(MeshShadow(scene_.meshes[item.shape], index, rays_, starts_, mask, distance_),
+                 item.glassy);
             return;
         }
         const Mask own = mask & equal(starts_.item, index);
         const Mask others = mask & ~own;
         if (item.kind == Kind::ball) {
-            note(BallShadow(scene_.balls[item.shape], rays_, others, distance_));
+            note(BallShadow(scene_.balls[item.shape], rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::box) {
-            note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_));
+            note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::frustum) {
             const FrustumGuess guess(scene_.frustums[item.shape], rays_, others, distance_);
-            blocked_ |= guess.between;
-            ask_exactly(index, own | (guess.unsettled & ~guess.between));
+            if (item.glassy) {
+                unsure_ |= own | guess.unsettled;
+            } else {
+                blocked_ |= guess.between;
+                ask_exactly(index, own | (guess.unsettled & ~guess.between));
+            }
             return;
         } else {
-            ask_exactly(index, mask);
+            if (item.glassy)
+                unsure_ |= mask;
+            else
+                ask_exactly(index, mask);
             return;
         }
         unsure_ |= own;
     }
 
+    /// What lets light pass blocks nothing for certain.
     template <class Shadow>
-    LANCER_INLINE void note(const Shadow& shadow) {
-        blocked_ |= shadow.blocks;
+    LANCER_INLINE void note(const Shadow& shadow, bool glassy) {
+        (glassy ? unsure_ : blocked_) |= shadow.blocks;
         unsure_ |= shadow.unsure;
     }
 

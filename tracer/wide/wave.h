@@ -71,8 +71,12 @@ class Packet {
                       [&](int i) { put_color(i, scene_.background); });
         Mask met = active & hits_.some & ~hits_.unsure;
         for_each_lane(met, [&](int i) {
-            if (scene_.finishes[scene_.items[hits_.item[i]].material].plain) return;
-            shade_exactly(i);
+            const Item& item = scene_.items[hits_.item[i]];
+            if (!item.glassy && scene_.finishes[item.material].plain) return;
+            if (scene_.has_glassy)
+                trace_exactly(i, starts);
+            else
+                shade_exactly(i);
             met &= ~(1U << i);
         });
         if (met != 0) shade(met);
@@ -97,7 +101,10 @@ class Packet {
         Surfaces s;
         make_surfaces(job_, rays_, hits_, met, s);
         const Vectors mirror = mirrored(rays_.dir, s.normal);
-        const Vectors color = local_color(job_, rays_, hits_, s, mirror, met);
+        // Whitted begins its sum with 0, which takes the sign from a zero.
+        Vectors color = local_color(job_, rays_, hits_, s, mirror, met);
+        const Numbers zero = all(0.0);
+        if (scene_.has_glassy) color = Vectors{zero, zero, zero} + color;
         store_some(wave_.color[0] + at_, met, color.x);
         store_some(wave_.color[1] + at_, met, color.y);
         store_some(wave_.color[2] + at_, met, color.z);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/recursion/opaque.h"
+#include "tracer/recursion/whitted.h"
 #include "tracer/wide/flat_world.h"
 
 namespace lancer {
@@ -47,7 +48,13 @@ Hit<double> hit_of(const LaneHit& h) {
     return {h.t, h.error, {h.item, h.face, h.entering}, h.u, h.v};
 }
 
+template <class Tracer>
+constexpr bool is_opaque = std::is_same_v<Tracer, OpaqueTracer<double>>;
+
 /// The scalar code behind ExactMethods.
+///
+/// \tparam Tracer  the recursion for such worlds: OpaqueTracer or Whitted
+template <class Tracer>
 class ScalarMethods final : public ExactMethods {
   public:
     ScalarMethods(const World<double>& world, const TraceLimits& limits)
@@ -57,14 +64,19 @@ class ScalarMethods final : public ExactMethods {
 
     void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
                double* color) override {
-        put(tracer_.trace(ray_of(ray), start_of(start), weight, level), color);
+        if constexpr (is_opaque<Tracer>)
+            put(tracer_.trace(ray_of(ray), start_of(start), weight, level), color);
+        else
+            put(tracer_.trace_outside(ray_of(ray), start_of(start), weight, level), color);
     }
 
     void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
                double* color) override {
-        Contact<double> contact;
-        contact.push_back(hit_of(hit));
-        put(tracer_.shade(ray_of(ray), contact, weight, level), color);
+        if constexpr (is_opaque<Tracer>) {
+            Contact<double> contact;
+            contact.push_back(hit_of(hit));
+            put(tracer_.shade(ray_of(ray), contact, weight, level), color);
+        }
     }
 
     void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) override {
@@ -93,11 +105,15 @@ class ScalarMethods final : public ExactMethods {
         const lancer::Start<double> start = start_of(lane_start);
         const NoMedia nowhere;
         const IntersectionFilter<double, NoMedia> accept(world_, start, nowhere);
+        const Primitive<double>& primitive = world_.primitives[item];
+        const bool glassy = primitive.transmissive || primitive.medium;
         const auto limit = [&] { return sink.limit(sink.self); };
         const RayInterval<double, decltype(limit)> interval{0, limit};
         primitive_crossings(world_, world_.primitives[item], ray, accept.hints(item), interval,
                             [&](const Crossing<double>& c, double u, double v) {
-                                if (accept(item, c))
+                                // Which crossings with glass count is not asked here: what it may
+                                // be met by is left to the recursion.
+                                if (glassy ? c.t >= -c.error : accept(item, c))
                                     sink.add(sink.self, {accept.met_at(c), c.error, u, v, item,
                                                          c.face, c.entering});
                                 return false;
@@ -123,15 +139,15 @@ class ScalarMethods final : public ExactMethods {
         return query.occlusion == Occlusion::blocked;
     }
 
-    bool is_blocked(const LaneRay& ray, const LaneStart& start, double distance) override {
-        const NoMedia nowhere;
-        return query_occlusion(world_, ray_of(ray), distance, start_of(start), nowhere) ==
-               Occlusion::blocked;
+    void light_share(const LaneRay& ray, const LaneStart& start, double distance,
+                     double* share) override {
+        using Around = std::conditional_t<is_opaque<Tracer>, NoMedia, Media>;
+        put(light_through(world_, ray_of(ray), distance, start_of(start), Around{}), share);
     }
 
   private:
     const World<double>& world_;
-    OpaqueTracer<double> tracer_;
+    Tracer tracer_;
 };
 
 Camera camera_of(const CameraFrame<double>& frame, int width, int height) {
@@ -146,6 +162,7 @@ Camera camera_of(const CameraFrame<double>& frame, int width, int height) {
     return camera;
 }
 
+template <class Tracer>
 class LevelTracer final : public WideTracer {
   public:
     LevelTracer(const World<double>& world, Scene scene, const TraceLimits& limits, Level level)
@@ -182,7 +199,7 @@ class LevelTracer final : public WideTracer {
     }
 
     Scene scene_;
-    ScalarMethods exact_;
+    ScalarMethods<Tracer> exact_;
     TraceRays code_;
     std::vector<std::unique_ptr<Wave>> waves_;
     Job job_{};
@@ -201,14 +218,18 @@ WideWorld::WideWorld(const World<double>& world, Level level)
 }
 WideWorld::~WideWorld() = default;
 
-bool WideWorld::is_for(const World<double>& world) {
-    return !world.has_media && !world.has_transmission;
-}
-
 std::unique_ptr<WideTracer> WideWorld::tracer(const TraceLimits& limits,
                                               const CameraFrame<double>& camera) const {
     if (camera.ahead != 0 || !is_followed(limits, 1.0, 0)) return nullptr;
-    return std::make_unique<wide::LevelTracer>(world_, arrays_->flat.scene(), limits, level_);
+    const wide::Scene& scene = arrays_->flat.scene();
+    if (!world_.has_media && !world_.has_transmission)
+        return std::make_unique<wide::LevelTracer<OpaqueTracer<double>>>(world_, scene, limits,
+                                                                         level_);
+    // Rays must begin outside of all bodies.
+    if (camera.orthographic) return nullptr;
+    for (const Bounds<double>& box : world_.medium_bounds)
+        if (box.contains(camera.position)) return nullptr;
+    return std::make_unique<wide::LevelTracer<Whitted<double>>>(world_, scene, limits, level_);
 }
 
 }  // namespace lancer

@@ -1,5 +1,5 @@
-// Rays side by side through an opaque world in double: the same light, bit for bit, and the same
-// counts as OpaqueTracer, one more filter in front of it.
+// Rays side by side through a world in double: the same light, bit for bit, and the same counts as
+// OpaqueTracer and Whitted, one more filter in front of them.
 #pragma once
 
 #include <array>
@@ -41,12 +41,10 @@ class WideWorld {
     WideWorld(const World<double>& world, Level level);
     ~WideWorld();
 
-    /// Whether the level's code knows worlds like this one: nothing lets light pass.
-    static bool is_for(const World<double>& world);
-
     Level level() const { return level_; }
 
-    /// Null where rays go one by one: from a camera far from the scene.
+    /// Null where rays go one by one: from a camera far from the scene, or, in worlds with media,
+    /// from one that may be in a body or has no place.
     std::unique_ptr<WideTracer> tracer(const TraceLimits& limits,
                                        const CameraFrame<double>& camera) const;
 
