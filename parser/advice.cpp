@@ -24,9 +24,17 @@ std::string count_of(const OpenEdges& open) {
                            : fmt::format("1 of its edges has {} faces", open.faces);
 }
 
+/// A mesh that is one material's share of a file's.
+std::string piece_of(const Scene& scene, const Object& object) {
+    const bool named = object.material < scene.material_names.size();
+    return fmt::format("the faces of this mesh that are '{}'",
+                       named ? scene.material_names[object.material] : "");
+}
+
 }  // namespace
 
-std::vector<Diagnostic> advice_on(const Scene& scene) {
+std::vector<Diagnostic> advice_on(const Scene& scene,
+                                  const std::unordered_set<const Mesh*>& pieces) {
     std::vector<Diagnostic> found;
     std::map<std::uint32_t, OpenEdges> known;  // by mesh
     std::set<std::pair<std::uint32_t, std::uint32_t>> places;
@@ -42,14 +50,18 @@ std::vector<Diagnostic> advice_on(const Scene& scene) {
         const OpenEdges& open = at->second;
         if (open.count == 0 || !places.emplace(object.place.file, object.place.offset).second)
             continue;
+        const bool is_piece = pieces.contains(scene.meshes[mesh->mesh].get());
         found.push_back(
             {Severity::warning,
              object.place,
-             fmt::format("light passes through this mesh, but it is not closed: {}, the first from "
+             fmt::format("light passes through {}, but it is not closed: {}, the first from "
                          "{} to {}; so it has no inside, and its {} does nothing",
-                         count_of(open), place_of(open.begin), place_of(open.end),
-                         bends ? "ior" : "absorption"),
-             "close the gap: vertices that ought to be one must be at exactly the same place",
+                         is_piece ? piece_of(scene, object) : "this mesh", count_of(open),
+                         place_of(open.begin), place_of(open.end), bends ? "ior" : "absorption"),
+             is_piece
+                 ? "a mesh with several materials is one object for each of them: give glass a "
+                   "file of its own, or the mesh one 'material'"
+                 : "close the gap: vertices that ought to be one must be at exactly the same place",
              {}});
     }
     return found;

@@ -89,8 +89,7 @@ std::shared_ptr<const io::LoadedMesh> Evaluator::load_mesh(const std::string& pa
     return loaded.content;
 }
 
-std::shared_ptr<const Image> Evaluator::load_image(const std::string& path, io::ColorSpace space,
-                                                   const SourceSpan& place) {
+const Loaded<Image>& Evaluator::image_at(const std::string& path, io::ColorSpace space) {
     auto& loaded = program_.images[{path, space}];
     if (loaded.content == nullptr && loaded.problem.empty()) {
         try {
@@ -99,7 +98,20 @@ std::shared_ptr<const Image> Evaluator::load_image(const std::string& path, io::
             loaded.problem = error.what();
         }
     }
+    return loaded;
+}
+
+std::shared_ptr<const Image> Evaluator::load_image(const std::string& path, io::ColorSpace space,
+                                                   const SourceSpan& place) {
+    const Loaded<Image>& loaded = image_at(path, space);
     if (loaded.content == nullptr) report_unreadable(path, place, loaded.problem);
+    return loaded.content;
+}
+
+std::shared_ptr<const Image> Evaluator::find_image(const std::string& path, io::ColorSpace space,
+                                                   const SourceSpan& place) {
+    const Loaded<Image>& loaded = image_at(path, space);
+    if (loaded.content == nullptr) report_.warning(Message::mesh_file, place, loaded.problem);
     return loaded.content;
 }
 

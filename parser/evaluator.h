@@ -57,6 +57,9 @@ class Evaluator {
                                                     const SourceSpan& place);
     std::shared_ptr<const Image> load_image(const std::string& path, io::ColorSpace space,
                                             const SourceSpan& place);
+    /// The same for an image that a mesh file names: a warning instead of an error.
+    std::shared_ptr<const Image> find_image(const std::string& path, io::ColorSpace space,
+                                            const SourceSpan& place);
     /// Reports a file that could not be read.
     void report_unreadable(const std::string& path, const SourceSpan& place,
                            const std::string& problem);
@@ -97,6 +100,8 @@ class Evaluator {
         Scopes::Caller caller;             ///< of a call
         std::uint32_t outer_group = none;  ///< of a call
     };
+
+    const Loaded<Image>& image_at(const std::string& path, io::ColorSpace space);
 
     // unreached.cpp
     void mark_executed(const ast::File& file, std::uint32_t statement);

@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "model/io/obj_materials.h"
 #include "parser/ast.h"
 #include "parser/parse.h"
 #include "parser/symbols.h"
@@ -34,6 +36,9 @@ struct Program {
     std::map<std::string, LoadedScript> scripts;  ///< included ones, by normal path
     std::map<std::string, Loaded<io::LoadedMesh>> meshes;
     std::map<std::pair<std::string, io::ColorSpace>, Loaded<Image>> images;
+    std::map<const io::LoadedMesh*, io::ObjMaterials> mesh_materials;
+    /// Meshes with several materials, one for each of them; second: with normals for smoothness.
+    std::map<std::pair<const Mesh*, bool>, std::vector<std::shared_ptr<const Mesh>>> mesh_pieces;
 };
 
 }  // namespace lancer

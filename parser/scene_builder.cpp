@@ -96,7 +96,7 @@ void SceneBuilder::resolve() {
         if (node.transform == none)
             node.transform = node.moves ? transform_index(node.map, object.place) : 0;
         object.transform = node.transform;
-        if (object.material == none) object.material = node.material == none ? 0 : node.material;
+        if (object.material == none) object.material = node.material;
         if (object.name == none) object.name = node.name;
         object.casts_shadow = object.casts_shadow && node.shadow;
     }
@@ -107,6 +107,45 @@ void SceneBuilder::resolve() {
     }
     nodes_.clear();
     light_nodes_.clear();
+    make_late_parts();
+}
+
+/// Puts the parts of objects in their places, and the default material where there is no other.
+void SceneBuilder::make_late_parts() {
+    const auto begin = scene.objects.begin() + static_cast<std::ptrdiff_t>(first_object_);
+    if (!late_parts_.empty()) {
+        const std::vector<Object> wholes(begin, scene.objects.end());
+        scene.objects.erase(begin, scene.objects.end());
+        for (std::size_t i = 0; i < wholes.size(); ++i) {
+            const auto late = late_parts_.find(first_object_ + i);
+            if (late == late_parts_.end()) {
+                scene.objects.push_back(wholes[i]);
+                continue;
+            }
+            for (const Part& part : late->second(wholes[i].material != none)) {
+                count(scene.objects.size(), wholes[i].place, "objects");
+                scene.objects.push_back(wholes[i]);
+                scene.objects.back().shape = part.shape;
+                if (part.material != none) scene.objects.back().material = part.material;
+            }
+        }
+        late_parts_.clear();
+    }
+    for (std::size_t i = first_object_; i < scene.objects.size(); ++i)
+        if (scene.objects[i].material == none) scene.objects[i].material = 0;
+}
+
+void SceneBuilder::add(MakeParts make, const Attributes& attributes, const SourceSpan& place) {
+    if (attributes.material == none && !groups_.empty()) {
+        late_parts_.emplace(scene.objects.size(), std::move(make));
+        add(Shape{}, attributes, place);
+        return;
+    }
+    Attributes own = attributes;
+    for (const Part& part : make(attributes.material != none)) {
+        if (part.material != none) own.material = part.material;
+        add(part.shape, own, place);
+    }
 }
 
 void SceneBuilder::add(const Shape& shape, const Attributes& attributes, const SourceSpan& place) {

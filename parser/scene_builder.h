@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,15 @@ struct Attributes {
     TransformList transforms;
 };
 
+/// A shape, and the material that comes with it; `none`: that of what it is a part of.
+struct Part {
+    Shape shape;
+    std::uint32_t material = none;
+};
+/// What is put into the scene for a shape that may bring materials along. `has_material`: it or a
+/// group around it was given one.
+using MakeParts = std::function<std::vector<Part>(bool has_material)>;
+
 class SceneBuilder {
   public:
     SceneBuilder(Meter& meter, Report& report) : meter_(meter), report_(report) {}
@@ -30,6 +41,9 @@ class SceneBuilder {
     /// Where the scene holds what files brought.
     std::map<std::pair<std::string, bool>, std::uint32_t> image_indices;  ///< path, sRGB
     std::unordered_map<const Mesh*, std::uint32_t> mesh_indices;
+    /// What a mesh becomes with its file's materials; second: smooth.
+    std::map<std::pair<const Mesh*, bool>, std::vector<Part>> mesh_parts;
+    std::unordered_set<const Mesh*> pieces;  ///< those that are one material's share of another
 
     /// Objects and lights from here to close_group() are in a new group. What the group itself
     /// says is known only at its end.
@@ -37,6 +51,9 @@ class SceneBuilder {
     void close_group(const Attributes& attributes);
 
     void add(const Shape& shape, const Attributes& attributes, const SourceSpan& place);
+    /// The same for a shape whose materials count only when no other is given: `make` is called
+    /// once, at the end of the outermost group at the latest. All parts get the attributes.
+    void add(MakeParts make, const Attributes& attributes, const SourceSpan& place);
     void add(const Light& light);
     std::uint32_t add(const Material& material, std::string_view name, const SourceSpan& place);
     std::uint32_t add(const Texture& texture, const SourceSpan& place);
@@ -55,6 +72,7 @@ class SceneBuilder {
     };
 
     void resolve();
+    void make_late_parts();
     std::uint32_t name_index(const std::string& name);
     std::uint32_t transform_index(const Transform& exact, const SourceSpan& place);
     void count(std::size_t made, const SourceSpan& place, const char* what);
@@ -67,6 +85,8 @@ class SceneBuilder {
     std::vector<std::uint32_t> light_nodes_;
     std::size_t first_object_ = 0;  ///< of the outermost open group
     std::size_t first_light_ = 0;
+    /// By the object of the outermost open group that stands for them.
+    std::unordered_map<std::size_t, MakeParts> late_parts_;
 };
 
 }  // namespace lancer

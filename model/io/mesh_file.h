@@ -11,8 +11,20 @@
 
 namespace lancer::io {
 
+/// A statement that names files of materials (`mtllib`), and where it stands.
+struct LibraryStatement {
+    std::string names;  ///< all that stands behind the word
+    std::uint32_t line = 0;
+};
+
 struct LoadedMesh {
     Mesh mesh;
+    /// For each face of `mesh` its material, an index into `materials`; empty where all have the
+    /// same one, or none.
+    std::vector<std::uint32_t> face_materials;
+    /// Names of the materials that faces have, "" for faces that name none; empty where none does.
+    std::vector<std::string> materials;
+    std::vector<LibraryStatement> libraries;
     /// Faces dropped because corners coincide or all are on one line, so that no triangle is left.
     std::uint64_t degenerate = 0;
     /// What was left out or put right, one sentence each, with the file and the place in it.

@@ -8,20 +8,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 #include "model/io/text_scanner.h"
 
 namespace lancer::io {
 namespace {
 
-/// Statements that say nothing about triangles: groups, materials, points and lines, curves and
-/// surfaces in free form.
-constexpr std::array<std::string_view, 40> skipped_statements{
-    "bevel", "bmat", "bsp",    "bzp",       "c_interp", "call",   "cdc",        "cdp",
-    "con",   "csh",  "cstype", "ctech",     "curv",     "curv2",  "d_interp",   "deg",
-    "end",   "g",    "hole",   "l",         "lod",      "maplib", "mg",         "mtllib",
-    "o",     "p",    "parm",   "res",       "s",        "scrv",   "shadow_obj", "sp",
-    "stech", "step", "surf",   "trace_obj", "trim",     "usemap", "usemtl",     "vp"};
+/// Statements that say nothing about triangles: groups, points and lines, curves and surfaces in
+/// free form.
+constexpr std::array<std::string_view, 38> skipped_statements{
+    "bevel",  "bmat",   "bsp",  "bzp",   "c_interp",  "call", "cdc",    "cdp", "con",  "csh",
+    "cstype", "ctech",  "curv", "curv2", "d_interp",  "deg",  "end",    "g",   "hole", "l",
+    "lod",    "maplib", "mg",   "o",     "p",         "parm", "res",    "s",   "scrv", "shadow_obj",
+    "sp",     "stech",  "step", "surf",  "trace_obj", "trim", "usemap", "vp"};
 
 class ObjReader {
   public:
@@ -58,6 +58,10 @@ class ObjReader {
             soup_.uvs.emplace_back(u, v);
         } else if (keyword == "f" || keyword == "fo") {
             face();
+        } else if (keyword == "usemtl") {
+            use_material(rest_of_statement());
+        } else if (keyword == "mtllib") {
+            soup_.libraries.push_back({rest_of_statement(), scanner_.line()});
         } else if (std::find(skipped_statements.begin(), skipped_statements.end(), keyword) ==
                    skipped_statements.end()) {
             throw scanner_.error("this is not a statement of an OBJ file");
@@ -107,6 +111,27 @@ class ObjReader {
             throw scanner_.error("a face has at least three corners");
         }
         soup_.face_ends.push_back(soup_.corners.size());
+        // Only a file that names materials pays for them.
+        if (soup_.materials.empty()) return;
+        soup_.face_materials.resize(soup_.face_ends.size() - 1, none);
+        soup_.face_materials.push_back(material_);
+    }
+
+    /// Up to the end of the line or a comment, without the blanks around. Names may hold blanks.
+    std::string rest_of_statement() {
+        std::string rest;
+        while (!scanner_.at_line_end())
+            rest += (rest.empty() ? "" : " ") + std::string(scanner_.word());
+        return rest;
+    }
+
+    void use_material(const std::string& name) {
+        material_ = none;
+        if (name.empty()) return;
+        const auto [at, is_new] =
+            numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size()));
+        material_ = at->second;
+        if (is_new) soup_.materials.push_back(name);
     }
 
     /// An index from 0. One that is too large is found later: a file may give its faces first.
@@ -138,6 +163,8 @@ class ObjReader {
 
     TextScanner scanner_;
     PolygonSoup soup_;
+    std::unordered_map<std::string, std::uint32_t> numbers_;  ///< of materials, by name
+    std::uint32_t material_ = none;                           ///< of the faces that come
 };
 
 }  // namespace

@@ -44,6 +44,7 @@ class Builder {
         mesh.uvs = std::move(soup_.uvs);
         simplify(mesh.normals, mesh.normal_faces);
         simplify(mesh.uvs, mesh.uv_faces);
+        number_materials();
         return std::move(loaded_);
     }
 
@@ -83,6 +84,24 @@ class Builder {
         append(soup_.corners, begin, loaded_.mesh.faces);
         append(soup_.normal_corners, begin, loaded_.mesh.normal_faces);
         append(soup_.uv_corners, begin, loaded_.mesh.uv_faces);
+        if (!soup_.face_materials.empty())
+            loaded_.face_materials.insert(loaded_.face_materials.end(), triangles_.size(),
+                                          soup_.face_materials[face]);
+    }
+
+    /// Numbers the materials in the order of the first triangle that has them.
+    void number_materials() {
+        std::vector<std::uint32_t> order(soup_.materials.size() + 1, none);  // the last: no name
+        for (std::uint32_t& material : loaded_.face_materials) {
+            std::uint32_t& number = order[std::min<std::size_t>(material, soup_.materials.size())];
+            if (number == none) {
+                number = static_cast<std::uint32_t>(loaded_.materials.size());
+                loaded_.materials.push_back(material == none ? "" : soup_.materials[material]);
+            }
+            material = number;
+        }
+        if (loaded_.materials.size() < 2) loaded_.face_materials = {};
+        loaded_.libraries = std::move(soup_.libraries);
     }
 
     void check(std::size_t face, std::size_t begin, std::size_t end,

@@ -28,6 +28,11 @@ struct PolygonSoup {
     /// For each face the line it stands on, for messages; empty: faces are counted from 0 instead.
     std::vector<std::uint32_t> face_lines;
 
+    /// For each face the number of its material in `materials`, or `none`; empty: none has one.
+    std::vector<std::uint32_t> face_materials;
+    std::vector<std::string> materials;  ///< names
+    std::vector<LibraryStatement> libraries;
+
     /// What the format counts its first vertex as: messages count as the file does.
     std::uint32_t first_index = 0;
     /// Vertices, normals and uvs with a number that is not finite, with what to say of the first

@@ -123,6 +123,13 @@ double TextScanner::any_number(const char* what) {
     return value;
 }
 
+bool TextScanner::next_is_number() {
+    if (at_line_end()) return false;
+    double value = 0;
+    const auto [after, error] = std::from_chars(at_, end_, value);
+    return error == std::errc() && is_word_end(after);
+}
+
 std::int64_t TextScanner::integer(const char* what) {
     const char* from = at_;
     if (at_ != end_ && *at_ == '+' && at_ + 1 != end_ && at_[1] != '-') ++at_;

@@ -44,6 +44,10 @@ class TextScanner {
     std::int64_t integer(const char* what);
     /// True, and `c` is skipped, when it is the very next character.
     bool skip(char c);
+    /// What the next word of this line begins with.
+    bool next_word_begins(char c) { return !at_line_end() && *at_ == c; }
+    /// The next word of this line is a number.
+    bool next_is_number();
     bool next_is(char c) const { return at_ != end_ && *at_ == c; }
     /// A blank, a comment or the end of the line follows.
     bool at_word_end() const { return is_word_end(at_); }

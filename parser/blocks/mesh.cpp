@@ -3,6 +3,7 @@
 #include "model/smoothing.h"
 #include "parser/blocks/attributes.h"
 #include "parser/blocks/blocks.h"
+#include "parser/blocks/file_materials.h"
 
 namespace lancer {
 namespace {
@@ -88,12 +89,8 @@ void check_counts(BlockReader& block, const MeshSpec& spec) {
 
 void add_mesh(BlockReader& block, const std::shared_ptr<const Mesh>& mesh, const MeshSpec& spec,
               const Attributes& attributes) {
-    auto& meshes = block.builder().scene.meshes;
-    // Instances of one file follow each other or not: the pointer tells them.
-    const auto [at, is_new] =
-        block.builder().mesh_indices.emplace(mesh.get(), static_cast<std::uint32_t>(meshes.size()));
-    if (is_new) meshes.push_back(mesh);
-    block.builder().add(MeshRef{at->second, spec.smooth.on}, attributes, block.place());
+    block.builder().add(MeshRef{mesh_index(block.builder(), mesh), spec.smooth.on}, attributes,
+                        block.place());
 }
 
 void add_inline(BlockReader& block, MeshSpec& spec, const Attributes& attributes) {
@@ -169,7 +166,13 @@ void make_mesh(BlockReader& block, std::uint32_t&) {
         block.warning(Message::mesh_file, block.place("file"), text);
     warn_degenerate(block, block.place("file"), loaded->degenerate);
     if (loaded->mesh.faces.empty()) return;
-    add_mesh(block, smoothed(block, loaded, path, spec.smooth.angle), spec, attributes);
+    const auto shown = smoothed(block, loaded, path, spec.smooth.angle);
+    if (loaded->materials.empty()) {
+        add_mesh(block, shown, spec, attributes);
+        return;
+    }
+    const MeshWithMaterials whole{loaded, path, shown, spec.smooth.on, block.place("file")};
+    block.builder().add(parts_of(block.evaluator(), whole), attributes, block.place());
 }
 
 }  // namespace blocks

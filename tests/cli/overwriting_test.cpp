@@ -19,9 +19,13 @@ class Overwriting : public testing::Test {
   protected:
     Overwriting() {
         place_.write("part.lancer", "sphere { radius 0.1 material { color tiles } }\n");
-        place_.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        place_.write("mesh.obj",
+                     "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl red\n"
+                     "f 1/1 2/1 3/1\n");
+        place_.write("paint.mtl", "newmtl red\nmap_Kd paint.png\n");
         place_.write("a.lancer", small_scene());
         EXPECT_EQ(place_.run({"render", "a.lancer", "-o", "image.png", "--size", "4x4"}).code, 0);
+        place_.write("paint.png", place_.read("image.png"));
         place_.write("a.lancer", "print \"evaluated\"\n" + small_scene() + R"(
 texture tiles { image "image.png" }
 mesh { file "mesh.obj" }
@@ -59,8 +63,8 @@ include "part.lancer"
     std::map<std::string, std::string> files_;
 };
 
-const std::vector<std::string> all_inputs{"a.lancer",  "part.lancer",   "mesh.obj",
-                                          "image.png", "here/mesh.obj", "link.png"};
+const std::vector<std::string> all_inputs{"a.lancer",      "part.lancer", "mesh.obj",  "image.png",
+                                          "here/mesh.obj", "link.png",    "paint.mtl", "paint.png"};
 
 TEST_F(Overwriting, StatisticsSpareAllThatTheSceneReads) {
     for (const std::string& name : all_inputs) {
@@ -75,7 +79,7 @@ TEST_F(Overwriting, StatisticsSpareAllThatTheSceneReads) {
 }
 
 TEST_F(Overwriting, PicturesSpareAllThatTheSceneReads) {
-    for (const char* name : {"image.png", "here/image.png", "link.png", "hard.png"})
+    for (const char* name : {"image.png", "here/image.png", "link.png", "hard.png", "paint.png"})
         refused({"render", "a.lancer", "-o", name}, "would be written over");
     refused({"render", "a.lancer", "-o", "image%d.png", "--frames", "1..3", "--stats", "mesh.obj"},
             "'mesh.obj' would be written over 'mesh.obj', which is read");

@@ -1,0 +1,170 @@
+#include "parser/blocks/file_materials.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "model/io/obj_materials.h"
+#include "model/io/text_scanner.h"
+#include "model/mesh_pieces.h"
+
+namespace lancer {
+namespace {
+
+/// Read once, however many frames show the mesh.
+const io::ObjMaterials& materials_of(Evaluator& evaluator, const MeshWithMaterials& whole) {
+    auto& known = evaluator.program().mesh_materials;
+    const auto at = known.find(whole.loaded.get());
+    if (at != known.end()) return at->second;
+    const auto read = [&](const std::string& path) {
+        return evaluator.loader().text(path, evaluator.meter().limits().source_bytes);
+    };
+    return known.emplace(whole.loaded.get(), io::find_materials(*whole.loaded, whole.path, read))
+        .first->second;
+}
+
+/// The image of a material, as a texture of the scene; `none` without one, and where it cannot be
+/// read, which is a warning.
+std::uint32_t texture_of(Evaluator& evaluator, const io::MtlMaterial& material, bool has_uvs,
+                         const SourceSpan& place) {
+    if (material.image.empty() || !has_uvs) return none;
+    const auto pixels = evaluator.find_image(material.image, io::ColorSpace::automatic, place);
+    if (pixels == nullptr) return none;
+    SceneBuilder& builder = evaluator.builder();
+    const auto [at, is_new] = builder.image_indices.try_emplace(
+        {material.image, true}, static_cast<std::uint32_t>(builder.scene.images.size()));
+    if (is_new) builder.scene.images.push_back({material.image, true, pixels});
+    Texture texture;
+    texture.pattern = ImageTexture{at->second, ImageTexture::Mapping::uv,
+                                   ImageTexture::Filter::bilinear, ImageTexture::Wrap::repeat};
+    return builder.add(texture, place);
+}
+
+std::uint32_t add_material(Evaluator& evaluator, const io::MtlMaterial& from, const Mesh& shown_by,
+                           const SourceSpan& place) {
+    const std::uint32_t texture = texture_of(evaluator, from, !shown_by.uvs.empty(), place);
+    Material made = material_of(from, texture != none);
+    made.texture = texture;
+    return evaluator.builder().add(made, io::quotable(from.name), place);
+}
+
+/// The faces of each material as a mesh of its own, with the normals that they have in the whole.
+const std::vector<std::shared_ptr<const Mesh>>& pieces_of(
+    Program& program, const MeshWithMaterials& whole, const std::vector<std::uint32_t>& number_of,
+    std::uint32_t count) {
+    auto& pieces = program.mesh_pieces[{whole.mesh.get(), whole.smooth}];
+    if (!pieces.empty()) return pieces;
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t material : whole.loaded->face_materials)
+        numbers.push_back(number_of[material]);
+    const bool averages = whole.smooth && whole.mesh->normals.empty();
+    for (Mesh& piece : averages ? split(with_averaged_normals(*whole.mesh), numbers, count)
+                                : split(*whole.mesh, numbers, count))
+        pieces.push_back(std::make_shared<const Mesh>(std::move(piece)));
+    return pieces;
+}
+
+std::vector<Part> make_parts(Evaluator& evaluator, const MeshWithMaterials& whole) {
+    SceneBuilder& builder = evaluator.builder();
+    const io::ObjMaterials& found = materials_of(evaluator, whole);
+    for (const std::string& text : found.warnings)
+        evaluator.report().warning(Message::mesh_file, whole.place, text);
+    // Materials without content look the same: faces that have one are one piece.
+    std::vector<std::uint32_t> number_of;
+    std::vector<const io::MtlMaterial*> contents;
+    std::uint32_t plain = none;
+    for (const auto& material : found.materials) {
+        std::uint32_t number = material ? none : plain;
+        if (number == none) {
+            number = static_cast<std::uint32_t>(contents.size());
+            contents.push_back(material ? &*material : nullptr);
+        }
+        if (!material) plain = number;
+        number_of.push_back(number);
+    }
+    std::vector<std::shared_ptr<const Mesh>> meshes{whole.mesh};
+    if (contents.size() > 1) {
+        meshes = pieces_of(evaluator.program(), whole, number_of,
+                           static_cast<std::uint32_t>(contents.size()));
+        for (const auto& piece : meshes) builder.pieces.insert(piece.get());
+    }
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+        parts.push_back({MeshRef{mesh_index(builder, meshes[i]), whole.smooth}, 0});
+        if (contents[i] != nullptr)
+            parts.back().material = add_material(evaluator, *contents[i], *meshes[i], whole.place);
+    }
+    return parts;
+}
+
+}  // namespace
+
+Material material_of(const io::MtlMaterial& from, bool textured) {
+    constexpr Color white(1.0);
+    Material m;
+    const Color diffuse = from.diffuse.value_or(from.emission ? Color(0.0) : white);
+    const Color emission = from.emission.value_or(Color(0.0));
+    const Color specular = from.specular.value_or(Color(0.0));
+    const int model = from.illumination.value_or(2);
+
+    // The colour is Kd; where Kd is black, something of it must be left for Ke to be times of.
+    constexpr double spark = 0x1p-40;
+    for (int i = 0; i < 3; ++i) {
+        m.color[i] = diffuse[i] > 0 ? diffuse[i] : emission[i] > 0 ? spark : 0;
+        m.emission[i] = emission[i] > 0 ? emission[i] / m.color[i] : 0;
+    }
+    m.diffuse = 1;
+    if (textured) {  // the image replaces the colour
+        const double strength = max_component(diffuse);
+        m.diffuse = strength > 0 ? strength : 1;
+        m.emission = emission;
+    }
+    // Ka is a share of a room's light, which here is a tenth of white unless the scene says more.
+    constexpr double room = 0.1;
+    const double brightest = max_component(textured ? Color(m.diffuse) : diffuse);
+    if (from.ambient && brightest > 0)
+        m.ambient = room * std::min(max_component(*from.ambient) / brightest, 1.0);
+    if (textured) m.ambient *= m.diffuse;
+    if (model == 0) {  // the colour as it is
+        m.emission = m.emission + white * m.diffuse;
+        m.diffuse = m.ambient = 0;
+    }
+
+    if (model >= 2) {
+        m.phong = max_component(specular);
+        m.shininess = from.shininess.value_or(m.shininess);
+    }
+    if (model >= 3 && model <= 9) m.reflection = specular;
+    m.fresnel = model == 5 || model == 7;
+    m.transmission = 1 - from.opacity.value_or(1);
+    // Nothing bends where nothing passes; an index is written all the same.
+    if (m.transmission > 0 || m.fresnel) m.ior = from.ior.value_or(1);
+    return m;
+}
+
+std::uint32_t mesh_index(SceneBuilder& builder, const std::shared_ptr<const Mesh>& mesh) {
+    auto& meshes = builder.scene.meshes;
+    // Instances of one file follow each other or not: the pointer tells them.
+    const auto [at, is_new] =
+        builder.mesh_indices.emplace(mesh.get(), static_cast<std::uint32_t>(meshes.size()));
+    if (is_new) meshes.push_back(mesh);
+    return at->second;
+}
+
+MakeParts parts_of(Evaluator& evaluator, const MeshWithMaterials& whole) {
+    // Warnings name the calls that led here, not those at the end of the group.
+    return [&evaluator, whole, calls = evaluator.report().calls](bool has_material) {
+        SceneBuilder& builder = evaluator.builder();
+        if (has_material)
+            return std::vector<Part>{{MeshRef{mesh_index(builder, whole.mesh), whole.smooth}}};
+        const auto [at, is_new] = builder.mesh_parts.try_emplace({whole.mesh.get(), whole.smooth});
+        if (is_new) {
+            const std::vector<CallSite> here = std::exchange(evaluator.report().calls, calls);
+            at->second = make_parts(evaluator, whole);
+            evaluator.report().calls = here;
+        }
+        return at->second;
+    };
+}
+
+}  // namespace lancer
