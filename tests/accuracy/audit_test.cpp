@@ -157,5 +157,22 @@ TEST(RareLight, IsNoticedInSparksAlone) {
     }
 }
 
+/// Squares at the horizon are smaller than a pixel, and the nets of an audit meet them all the
+/// same.
+TEST(RareLight, WhatFillsMuchOfAPixelIsNone) {
+    const PlainRenderer renderer(plain_picture("checker"));
+    View view;
+    view.width = 128;
+    view.height = 96;
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
+        Samples samples(renderer, view, {}, seed);
+        samples.raise(std::vector<std::uint32_t>(samples.size(), 2), {});
+        const RareLight rare(samples);
+        Prediction prediction;
+        refine(samples, prediction, 0.7 * 25e-6, 1000 * samples.size(), {});
+        EXPECT_FALSE(rare.missed(samples).forbids(0.005)) << seed;
+    }
+}
+
 }  // namespace
 }  // namespace lancer::accuracy
