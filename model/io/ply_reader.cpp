@@ -172,6 +172,12 @@ class PlyReader {
         }
         const bool normals = has(Target::nx) && has(Target::ny) && has(Target::nz);
         const bool uvs = has(Target::u) && has(Target::v);
+        // A part of a normal is none: its numbers are passed over, and need not be finite.
+        for (Target& target : targets) {
+            if ((!normals && target >= Target::nx && target <= Target::nz) ||
+                (!uvs && target >= Target::u))
+                target = Target::skipped;
+        }
         soup_.vertices.reserve(element.count);
         for (std::uint64_t i = 0; i < element.count; ++i) {
             std::array<double, target_count> values{};

@@ -247,6 +247,17 @@ TEST(Ply, NumbersThatNobodyUsesNeedNotBeFinite) {
                 StartsWith("t.ply:14: 'x' of vertex 3 is not finite"));
 }
 
+TEST(Ply, APartOfANormalIsNoneAndNeedsNotBeFinite) {
+    const LoadedMesh loaded =
+        ply("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nproperty float ny\nproperty float nz\nproperty float u\n"
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+            "0 0 0 nan 1 inf\n1 0 0 0 -nan 0\n0 1 0 0 0 inf\n3 0 1 2\n");
+    EXPECT_EQ(loaded.mesh.faces.size(), 1U);
+    EXPECT_TRUE(loaded.mesh.normals.empty());
+    EXPECT_TRUE(loaded.mesh.uvs.empty());
+}
+
 TEST(Ply, ReadsStripsOfTriangles) {
     const auto strips = [](const std::string& lists) {
         return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float "
