@@ -60,11 +60,13 @@ void check_scene(const Scene& scene) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Limits limits;
-    limits.statements = 20'000;
-    limits.list_elements = 20'000;
-    limits.objects = 2'000;
-    limits.text_bytes = 100'000;
-    limits.calls = 64;
+    // Low, so that thousands of inputs a second are tried: a loop that ends at its two hundredth
+    // turn shows as much as one that ends at its millionth.
+    limits.statements = 200;
+    limits.list_elements = 1'000;
+    limits.objects = 50;
+    limits.text_bytes = 4'000;
+    limits.calls = 8;
     const Definitions definitions{{{"level", "2 + 3"}, {"size", "[1, 2"}}, {}, {}};
     SourceMap sources;
     std::vector<Diagnostic> found;
