@@ -44,7 +44,11 @@ std::size_t wrong_pixels(const Image& image, const Image& truth, bool bits) {
 
 using Compile = std::unique_ptr<Renderer> (*)(const Scene&, const Settings&);
 
-Shot by_lancer(const Scene& scene, Precision precision, Compile compiler = compile) {
+std::unique_ptr<Renderer> compiled(const Scene& scene, const Settings& settings) {
+    return compile(scene, settings);
+}
+
+Shot by_lancer(const Scene& scene, Precision precision, Compile compiler = compiled) {
     Settings settings = scene.settings;
     settings.precision = precision;
     settings.threads = 0;
