@@ -1,6 +1,5 @@
 // Scripts, whatever they say: no crash, no leak, every message has its place, and a scene without
-// errors keeps what its structs promise. Reads no file: the names in a script find three small
-// ones.
+// errors keeps what its structs promise. Reads no file: the names in a script find small ones.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,17 +16,24 @@ void require(bool condition) {
     if (!condition) std::abort();
 }
 
-Loader three_files() {
+Loader small_files() {
     Loader loader;
     loader.text = [](const std::string& path, std::size_t) -> std::string {
         if (path.find("missing") != std::string::npos) throw FileError("no file '" + path + "'");
+        if (path.ends_with(".mtl"))
+            return "newmtl red\nKd 1 0 0\nmap_Kd a.png\nnewmtl glass\nKs 1 1 1\nd 0.5\nNi "
+                   "1.5\nbump\n";
         return "param level = 3 def leaf(at) { sphere { center at radius 1 } } include \"b\"";
     };
     loader.mesh = [](const std::string& path) {
         if (path.find("missing") != std::string::npos) throw FileError("no file '" + path + "'");
         io::LoadedMesh loaded;
         loaded.mesh.vertices = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)};
-        loaded.mesh.faces = {{0, 1, 2}};
+        loaded.mesh.uvs = {Vec2d(0, 0), Vec2d(1, 0), Vec2d(0, 1)};
+        loaded.mesh.faces = {{0, 1, 2}, {2, 1, 0}};
+        loaded.face_materials = {0, 1};
+        loaded.materials = {"red", "glass"};
+        loaded.libraries = {{"both.mtl", 1}};
         return loaded;
     };
     loader.image = [](const std::string& path, io::ColorSpace) {
@@ -73,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text(reinterpret_cast<const char*>(data), size);
     const Script script = parse_script("main.lancer", text, limits, sources, found);
     const Evaluation evaluation =
-        evaluate(script, definitions, limits, sources, found, three_files());
+        evaluate(script, definitions, limits, sources, found, small_files());
     bool wrong = false;
     for (const Diagnostic& diagnostic : found) {
         wrong |= diagnostic.severity == Severity::error;
