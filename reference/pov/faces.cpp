@@ -1,11 +1,11 @@
 #include "reference/pov/faces.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "model/bodies.h"
 #include "model/splines.h"
+#include "reference/pov/export_scale.h"
 
 namespace lancer::reference::pov {
 
@@ -56,12 +56,11 @@ struct FaceFinder {
         for (const Vec3d& corner : corners) p.push_back(map_point(to_world, corner));
         const Vec3d across = cross(p[1] - p[0], p[2] - p[0]);
         if (!(length(across) > 0)) return;
-        FlatFace face{normalize(across), 0, {}, {}};
+        FlatFace face{normalize(across), 0, {}};
         // A normal moves with the transposed inverse.
         if (dot(face.normal, map_transposed(inverse(to_world), outwards)) < 0)
             face.normal = -face.normal;
         face.offset = dot(face.normal, p[0]);
-        for (const Vec3d& corner : p) face.bounds.add(corner);
         face.corners = std::move(p);
         out.push_back({object, face});
     }
@@ -186,27 +185,10 @@ struct FaceFinder {
     void operator()(const Plane& s) const {
         const Vec3d own = normalize(s.normal);
         const Vec3d n = normalize(map_transposed(inverse(to_world), own));
-        FlatFace face{n, dot(n, map_point(to_world, own * s.offset)), {}, {}};
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        face.bounds.add(Vec3d(-infinity));
-        face.bounds.add(Vec3d(infinity));
-        out.push_back({object, face});
+        out.push_back({object, FlatFace{n, dot(n, map_point(to_world, own * s.offset)), {}}});
     }
     void operator()(const PatchRef&) const {}  // flat in no way that would be known here
 };
-
-/// Whether two boxes share more than an edge: two of three extents at least.
-bool share_an_area(const Bounds& a, const Bounds& b) {
-    if (!a.overlaps(b)) return false;
-    int wide = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double low = std::max(a.low[i], b.low[i]);
-        const double high = std::min(a.high[i], b.high[i]);
-        const double size = std::max({1e-3, std::abs(low), std::abs(high)});
-        wide += std::isinf(size) || high - low > rounding * size ? 1 : 0;
-    }
-    return wide >= 2;
-}
 
 /// Whether a direction across one of `a`'s edges parts two faces of one plane, or leaves them an
 /// edge.
@@ -239,7 +221,7 @@ struct Coincides {
         if (std::abs(cosine) < 1 - 1e-12) return false;
         return equal(a.offset, cosine > 0 ? b.offset : -b.offset,
                      std::max(std::abs(a.offset), std::abs(b.offset))) &&
-               share_an_area(a.bounds, b.bounds) && !is_parted(a, b) && !is_parted(b, a);
+               !is_parted(a, b) && !is_parted(b, a);
     }
     bool operator()(const RoundFace& a, const RoundFace& b) const {
         const double size = std::max({std::abs(a.low), std::abs(a.high), std::abs(b.low),

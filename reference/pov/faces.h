@@ -7,17 +7,15 @@
 #include <vector>
 
 #include "model/scene.h"
-#include "reference/pov/export_scale.h"
 
 namespace lancer::reference::pov {
 
-/// Points p with normal·p = offset, within `bounds`.
+/// Points p with normal·p = offset within the triangle or parallelogram of `corners`, which lies
+/// round the face; without corners, a whole plane.
 struct FlatFace {
     Vec3d normal{0, 0, 0};  ///< unit; out of a body
     double offset = 0;
-    Bounds bounds;
-    std::vector<Vec3d> corners;  ///< of the triangle, or of the parallelogram around the face:
-                                 ///< one, its two neighbours, the last; none of a plane
+    std::vector<Vec3d> corners;  ///< one, its two neighbours, and of four the last
 };
 
 /// A piece of a cylinder's or cone's side: at height h along the axis, from the axis' point nearest

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "model/bodies.h"
+#include "reference/pov/export_scale.h"
 
 namespace lancer::reference::pov {
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reference/pov/export_scale.h"
 #include "reference/pov/resolution.h"
 #include "tests/reference/pov/scene_kit.h"
 
