@@ -105,35 +105,32 @@ LANCER_INLINE void put_plane(const Plane& plane, const Rays& r, const NearestHit
     });
 }
 
+/// Calls give(to, from) for all that a material gives a surface.
+template <class Give>
+LANCER_INLINE void give_finish(const Finish& f, Surfaces& s, const Give& give) {
+    give(s.color, f.color);
+    give(s.reflection, f.reflection);
+    give(s.own, f.own);
+    give(s.opacity, f.opacity);
+    give(s.diffuse, f.diffuse);
+    give(s.phong, f.phong);
+    give(s.shininess, f.shininess);
+    give(s.blinn, f.blinn);
+    give(s.inverse_roughness, f.inverse_roughness);
+}
+
 LANCER_INLINE void put_finishes(const Scene& scene, const NearestHits& hits, Mask mask,
                                 Surfaces& s) {
     const std::uint32_t first = scene.items[hits.item[__builtin_ctz(mask)]].material;
     bool one = true;
     for_each_lane(mask, [&](int i) { one = one && scene.items[hits.item[i]].material == first; });
     if (one) {
-        const Finish& f = scene.finishes[first];
-        s.color = all(f.color);
-        s.reflection = all(f.reflection);
-        s.own = all(f.own);
-        s.opacity = all(f.opacity);
-        s.diffuse = all(f.diffuse);
-        s.phong = all(f.phong);
-        s.shininess = all(f.shininess);
-        s.blinn = all(f.blinn);
-        s.inverse_roughness = all(f.inverse_roughness);
+        give_finish(scene.finishes[first], s, [](auto& to, const auto& from) { to = all(from); });
         return;
     }
     for_each_lane(mask, [&](int i) {
-        const Finish& f = scene.finishes[scene.items[hits.item[i]].material];
-        set_lane(s.color, i, f.color);
-        set_lane(s.reflection, i, f.reflection);
-        set_lane(s.own, i, f.own);
-        set_lane(s.opacity, i, f.opacity);
-        set_lane(s.diffuse, i, f.diffuse);
-        set_lane(s.phong, i, f.phong);
-        set_lane(s.shininess, i, f.shininess);
-        set_lane(s.blinn, i, f.blinn);
-        set_lane(s.inverse_roughness, i, f.inverse_roughness);
+        give_finish(scene.finishes[scene.items[hits.item[i]].material], s,
+                    [i](auto& to, const auto& from) { set_lane(to, i, from); });
     });
 }
 
