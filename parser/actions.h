@@ -92,6 +92,7 @@ template <> struct action<include_word>   : begin<Kind::include> {};
 template <> struct action<let_word>       : begin<Kind::let> {};
 template <> struct action<param_word>     : begin<Kind::param> {};
 template <> struct action<def_word>       : begin<Kind::def> {};
+template <> struct action<func_word>      : begin<Kind::func> {};
 template <> struct action<for_word>       : begin<Kind::loop> {};
 template <> struct action<if_word>        : begin<Kind::choice> {};
 template <> struct action<assert_word>    : begin<Kind::assertion> {};
@@ -108,6 +109,7 @@ template <> struct action<parameters_needed> : tell_begin<&Builder::open_bracket
 template <> struct action<parameters>     : tell_that<&Builder::end_parameters> {};
 template <> struct action<parameter_name> : tell<&Builder::parameter> {};
 template <> struct action<default_value>  : tell_that<&Builder::default_value> {};
+template <> struct action<function_value> : tell_that<&Builder::function_value> {};
 template <> struct action<part>           : tell_that<&Builder::part> {};
 template <> struct action<range_end>      : tell_that<&Builder::part> {};
 template <> struct action<argument>       : tell_that<&Builder::argument> {};
@@ -119,6 +121,7 @@ template <> struct action<include_statement> : tell_that<&Builder::end_statement
 template <> struct action<let_statement>     : tell_that<&Builder::end_statement> {};
 template <> struct action<param_statement>   : tell_that<&Builder::end_statement> {};
 template <> struct action<def_statement>     : tell_that<&Builder::end_statement> {};
+template <> struct action<func_statement>    : tell_that<&Builder::end_statement> {};
 template <> struct action<for_statement>     : tell_that<&Builder::end_statement> {};
 template <> struct action<if_statement>      : tell_that<&Builder::end_statement> {};
 template <> struct action<assert_statement>  : tell_that<&Builder::end_statement> {};

@@ -75,7 +75,7 @@ struct Range {
     bool empty() const { return begin == end; }
 };
 
-/// An argument of a template's call (`name` may be missing), a parameter of its definition (`value`
+/// An argument of a template's call (`name` may be missing), a parameter of a definition (`value`
 /// may be missing), a part of print or assert, the end of a `for` range.
 struct Argument {
     Symbol name = no_symbol;
@@ -91,6 +91,7 @@ struct Statement {
         let,        ///< let name = value
         param,      ///< param name = value
         def,        ///< def name(arguments) { body }
+        func,       ///< func name(arguments) = value
         loop,       ///< for name in value [.. arguments[0]] { body }
         choice,     ///< if value { body } else { otherwise }
         include,    ///< include value

@@ -59,6 +59,8 @@ std::string_view word_of(Kind kind) {
             return "param";
         case Kind::def:
             return "def";
+        case Kind::func:
+            return "func";
         case Kind::loop:
             return "for";
         case Kind::choice:

@@ -43,7 +43,7 @@ void Evaluator::execute_property(const ast::File& file, const ast::Statement& st
         for (const Field* field : vocabulary.file().properties.fields())
             suggestion.consider(field->name);
         for (const std::string_view reserved :
-             {"include", "let", "param", "def", "for", "if", "assert", "print"})
+             {"include", "let", "param", "def", "func", "for", "if", "assert", "print"})
             suggestion.consider(reserved);
         const std::string_view instead = habits::instead_of(word);
         error->hint = instead.empty() ? suggestion.hint() : instead;
@@ -83,7 +83,10 @@ void Evaluator::report_unknown_block(const ast::File& file, const ast::Statement
         if ((block.keyword == vocabulary.light) || !light)
             suggestion.consider(light ? block.info->kind : block.info->keyword);
     error->hint = suggestion.hint();
-    if (const std::string_view instead = habits::instead_of(text(wrong)); !instead.empty()) {
+    if (scopes_.find_callable(wrong) != nullptr) {
+        error->hint =
+            "'" + std::string(text(wrong)) + "' is called: " + std::string(text(wrong)) + "(...)";
+    } else if (const std::string_view instead = habits::instead_of(text(wrong)); !instead.empty()) {
         error->hint = instead;
     } else if (suggestion.empty()) {
         error->hint = light ? "lights are point, directional and spot"

@@ -115,6 +115,7 @@ class Builder {
     void end_parameters() { brackets_.pop_back(); }
     void parameter(const char* begin, const char* end);
     void default_value();
+    void function_value() { building_.back().value = last_value_; }
     void part();
     void argument();
     void begin_body();

@@ -235,7 +235,7 @@ void Builder::end_value() {
             if (statement.value.empty()) statement.value = last_value_;
             break;
         default:
-            break;  // taken by part(), argument(), default_value()
+            break;  // taken by part(), argument(), default_value(), function_value()
     }
 }
 

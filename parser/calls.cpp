@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "parser/evaluator.h"
-#include "parser/suggest.h"
 #include "parser/syntax.h"
 
 namespace lancer {
@@ -25,19 +24,23 @@ std::string count_of(std::size_t count) {
 
 }  // namespace
 
-void Evaluator::execute_def(const ast::File& file, const ast::Statement& statement) {
+void Evaluator::define_callable(const ast::File& file, const ast::Statement& statement) {
     const SourceSpan place = file.name_span(statement);
     const Vocabulary& vocabulary = program_.vocabulary;
     Binding binding;
-    binding.kind = Binding::Kind::definition;
+    const bool is_template = statement.kind == ast::Statement::Kind::def;
+    binding.kind = is_template ? Binding::Kind::definition : Binding::Kind::function;
     binding.name = statement.name;
     binding.place = place;
     binding.file = &file;
     binding.definition = &statement;
-    if (vocabulary.is_block(statement.name) || vocabulary.in_statements().knows(statement.name)) {
+    if (is_template &&
+        (vocabulary.is_block(statement.name) || vocabulary.in_statements().knows(statement.name))) {
         report_.error(Message::template_takes_word, place, text(statement.name));
         return;
     }
+    if (statement.name < functions_.size() && functions_[statement.name] != nullptr)
+        report_.warning(Message::hides_function, place, text(statement.name));
     const auto parameters =
         std::span(file.arguments).subspan(statement.arguments.begin, statement.arguments.size());
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -84,13 +87,7 @@ bool Evaluator::match_arguments(const ast::File& file, const ast::Statement& cal
                                          [&](const auto& p) { return p.name == argument.name; });
             if (at == parameters.end()) {
                 good = false;
-                Diagnostic* error = report_.error(Message::unknown_argument, file.span(argument),
-                                                  callee, text(argument.name));
-                if (error != nullptr) {
-                    Suggestion suggestion(text(argument.name));
-                    for (const auto& p : parameters) suggestion.consider(text(p.name));
-                    error->hint = suggestion.hint();
-                }
+                report_unknown_argument(file.span(argument), home, definition, argument.name);
                 continue;
             }
             index = static_cast<std::size_t>(at - parameters.begin());
@@ -129,23 +126,20 @@ bool Evaluator::are_complete(const ast::File& home, const ast::Statement& defini
 }
 
 /// In the scope of the call: binds what is given, evaluates the rest, which may use earlier ones.
-void Evaluator::bind_parameters(const ast::File& home, const ast::Statement& definition,
-                                std::vector<Given>& given) {
+void Evaluator::bind_given(const ast::File& home, const ast::Statement& definition,
+                           std::vector<Given>& given) {
     for (std::size_t i = 0; i < given.size(); ++i) {
         const ast::Argument& parameter = home.arguments[definition.arguments.begin + i];
-        Binding binding;
-        binding.name = parameter.name;
-        binding.place = home.span(parameter);
-        binding.value =
-            given[i].is_given ? std::move(given[i].value) : evaluate(home, parameter.value);
-        scopes_.bind(std::move(binding));
+        bind_parameter(
+            home, parameter,
+            given[i].is_given ? std::move(given[i].value) : evaluate(home, parameter.value));
     }
 }
 
 void Evaluator::execute_call(const ast::File& file, const ast::Statement& statement) {
     const Symbol name = statement.word;
     const SourceSpan place = file.span(statement);
-    const Binding* callee = scopes_.find_template(name);
+    const Binding* callee = scopes_.find_callable(name);
     if (callee == nullptr) {
         if (name < functions_.size() && functions_[name] != nullptr) {
             report_.error(Message::function_as_statement, place, text(name));
@@ -157,6 +151,10 @@ void Evaluator::execute_call(const ast::File& file, const ast::Statement& statem
         return;
     }
     if (callee->kind == Binding::Kind::broken_definition) return;
+    if (callee->kind == Binding::Kind::function) {
+        report_.error(Message::function_as_statement, place, text(name));
+        return;
+    }
     const ast::File& home = *callee->file;
     const ast::Statement& definition = *callee->definition;
     std::vector<Given> given;
@@ -165,7 +163,7 @@ void Evaluator::execute_call(const ast::File& file, const ast::Statement& statem
     enter_call(place, text(name));
     const Scopes::Caller caller = scopes_.enter(*callee);
     scopes_.open();
-    bind_parameters(home, definition, given);
+    bind_given(home, definition, given);
     Frame& frame = push(Frame::Kind::call, home, definition.body);
     frame.caller = caller;
     frame.outer_group = group_;

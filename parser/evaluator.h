@@ -1,8 +1,9 @@
-// Runs an AST: statements on a stack of frames, expressions on a stack of values, so that the depth
-// of a script never becomes depth of the program's own stack.
+// Runs an AST: statements on a stack of frames, expressions on stacks of runs and values, so that
+// the depth of a script never becomes depth of the program's own stack.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -101,6 +102,23 @@ class Evaluator {
         std::uint32_t outer_group = none;  ///< of a call
     };
 
+    /// An expression that is being evaluated. One of a function of the script is a default of it or
+    /// what it stands for; what called it waits in `runs_`.
+    struct Run {
+        const ast::File* file = nullptr;
+        std::uint32_t at = 0, end = 0;             ///< the steps that are left
+        std::size_t bottom = 0;                    ///< of its values on the stack
+        const ast::Statement* function = nullptr;  ///< its parameters' places are below `bottom`
+        std::uint32_t parameter = 0;               ///< the next to be bound
+        Scopes::Caller caller;
+    };
+
+    /// The name of an argument on the stack.
+    struct Label {
+        std::size_t argument = 0;
+        const ast::Step* step = nullptr;
+    };
+
     const Loaded<Image>& image_at(const std::string& path, io::ColorSpace space);
 
     // unreached.cpp
@@ -129,14 +147,14 @@ class Evaluator {
                    bool& result);
 
     // calls.cpp
-    void execute_def(const ast::File& file, const ast::Statement& statement);
+    void define_callable(const ast::File& file, const ast::Statement& statement);
     void execute_call(const ast::File& file, const ast::Statement& statement);
     bool match_arguments(const ast::File& file, const ast::Statement& call, const ast::File& home,
                          const ast::Statement& definition, std::vector<Given>& given);
     bool are_complete(const ast::File& home, const ast::Statement& definition,
                       const SourceSpan& call, const std::vector<Given>& given);
-    void bind_parameters(const ast::File& home, const ast::Statement& definition,
-                         std::vector<Given>& given);
+    void bind_given(const ast::File& home, const ast::Statement& definition,
+                    std::vector<Given>& given);
     void execute_include(const ast::File& file, const ast::Statement& statement);
     ast::File* load_script(const std::string& path, const SourceSpan& place,
                            const SourceSpan& statement);
@@ -144,13 +162,31 @@ class Evaluator {
     /// What tells whether two paths name the same file: absolute, with links followed.
     static std::string identity(const std::string& path);
 
-    // expressions.cpp
+    // names.cpp
     void push_name(const ast::File& file, const ast::Step& step);
-    void warn_of_degrees(const ast::File& file, const ast::Step& call, std::string_view function);
-    void push_call(const ast::File& file, const ast::Step& step);
     SourceSpan place_of_definition(const SourceSpan& use, Symbol name) const;
     void report_undefined(Message message, const SourceSpan& place, Symbol name, bool functions);
+
+    // expressions.cpp
+    void take(Run& run, const ast::Step& step);
+    void give_up(Run& run);
     Value pop();
+
+    // function_calls.cpp
+    void call(Run& run, const ast::Step& step);
+    Value apply_function(const Function& function, const ast::File& file, const ast::Step& step);
+    void warn_of_degrees(const ast::File& file, const ast::Step& call, std::string_view function);
+    void begin_call(Run& run, const ast::Step& call, const Binding& callee);
+    std::span<const Label> labels_of_call(std::size_t count) const;
+    void drop_labels(std::size_t first);
+    bool arrange_arguments(const Run& run, const ast::Step& call, const Binding& callee);
+    bool arrange_named(const Run& run, const Binding& callee, std::span<const Label> labels,
+                       std::size_t unnamed);
+    void report_unknown_argument(const SourceSpan& place, const ast::File& home,
+                                 const ast::Statement& definition, Symbol name);
+    void bind_parameters(Run& run);
+    void bind_parameter(const ast::File& home, const ast::Argument& parameter, Value value);
+    void end_run(Run& run, Value result);
 
     Program& program_;
     const Definitions& definitions_;
@@ -161,6 +197,8 @@ class Evaluator {
     SceneBuilder builder_;
     Scopes scopes_;
     std::vector<Value> stack_;
+    std::vector<Run> runs_;      ///< that wait for a function they called
+    std::vector<Label> labels_;  ///< of arguments on the stack
     std::vector<Frame> frames_;
     std::vector<Group> groups_;
     std::uint32_t group_ = none;  ///< the one whose properties may stand here

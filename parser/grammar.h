@@ -27,6 +27,7 @@ struct include_word : word<TAO_PEGTL_STRING("include")> {};
 struct let_word     : word<TAO_PEGTL_STRING("let")> {};
 struct param_word   : word<TAO_PEGTL_STRING("param")> {};
 struct def_word     : word<TAO_PEGTL_STRING("def")> {};
+struct func_word    : word<TAO_PEGTL_STRING("func")> {};
 struct for_word     : word<TAO_PEGTL_STRING("for")> {};
 struct in_word      : word<TAO_PEGTL_STRING("in")> {};
 struct if_word      : word<TAO_PEGTL_STRING("if")> {};
@@ -38,7 +39,7 @@ struct false_word   : word<TAO_PEGTL_STRING("false")> {};
 
 struct reserved : p::seq<p::at<p::one<'i', 'l', 'p', 'd', 'f', 'e', 'a', 't'>>,
                          p::sor<include_word, in_word, if_word, let_word, param_word, print_word,
-                                def_word, for_word, false_word, else_word, assert_word, true_word>> {};
+                                def_word, for_word, func_word, false_word, else_word, assert_word, true_word>> {};
 struct name     : p::seq<p::not_at<reserved>, p::identifier> {};
 
 struct open_round   : p::one<'('> {};
@@ -167,6 +168,10 @@ struct parameters        : p::seq<p::must<parameters_needed>,
 struct def_statement     : p::seq<def_word, ws, p::must<declared_name_needed>, ws, parameters, ws,
                                   nested<braces>> {};
 
+struct function_value    : p::seq<value_needed> {};
+struct func_statement    : p::seq<func_word, ws, p::must<declared_name_needed>, ws, parameters, ws,
+                                  p::must<equals_needed>, p::must<function_value>> {};
+
 struct loop_end      : p::success {};
 struct range_end     : p::seq<value_needed> {};
 struct range         : p::seq<p::two<'.'>, ws, p::must<range_end>> {};
@@ -215,7 +220,7 @@ struct property          : p::seq<property_name, ws, p::opt<stray_equals>,
                                   p::must<property_value_needed>> {};
 
 struct statement : p::sor<foreign_statement, include_statement, let_statement, param_statement, def_statement,
-                          for_statement, if_statement, assert_statement, print_statement, block,
+                          func_statement, for_statement, if_statement, assert_statement, print_statement, block,
                           call_statement, property> {};
 struct statement_needed : p::seq<statement> {};
 struct stray            : p::sor<stray_separator, stray_hash, stray_declarator> {};

@@ -99,11 +99,10 @@ constexpr Entry words[] = {
     {"elsif", "write 'else if'"},
     {"elseif", "write 'else if'"},
     {"switch", "choices are 'if a == 1 { ... } else if a == 2 { ... }'"},
-    {"function", templates},
-    {"func", templates},
-    {"fn", templates},
+    {"function", callables},
+    {"fn", callables},
     {"macro", templates},
-    {"return", "a template has no value: what is computed is a 'let', what is made is a shape"},
+    {"return", "a function is one expression: 'func name(a, b) = ...'; a template has no value"},
     {"import", "another file is read by 'include \"file.lancer\"'"},
     {"var", values},
     {"const", values},
@@ -242,9 +241,9 @@ std::string_view instead_of(std::string_view word) {
 }
 
 bool begins_foreign_statement(std::string_view word) {
-    static constexpr std::array<std::string_view, 15> all{
-        "while",  "until",    "repeat", "foreach", "loop",  "elif",   "elsif", "elseif",
-        "switch", "function", "func",   "fn",      "macro", "module", "return"};
+    static constexpr std::array<std::string_view, 14> all{
+        "while",  "until",  "repeat",   "foreach", "loop",  "elif",   "elsif",
+        "elseif", "switch", "function", "fn",      "macro", "module", "return"};
     return is_one_of(all, word);
 }
 

@@ -10,6 +10,11 @@ namespace lancer::habits {
 /// operator, a function), as a hint; empty when the word is not a known one.
 std::string_view instead_of(std::string_view word);
 
+/// What has parameters here: where one kind is written as the other.
+inline constexpr std::string_view callables =
+    "what has a value is 'func name(a, b) = ...', statements with parameters are "
+    "'def name(a, b) { ... }'";
+
 /// A word that begins a statement elsewhere and that is followed by something other than a value:
 /// `while x < 3 {`, `elif`, `function f() {`.
 bool begins_foreign_statement(std::string_view word);

@@ -29,7 +29,7 @@ namespace lancer {
     M(name_reserved,          "'{}' is a word of the language and cannot be a name") \
     M(expected_equals,        "expected '=', found {}") \
     M(value_missing,          "'{}' is given no value") \
-    M(expected_parameters,    "expected '(' and the template's parameters, found {}") \
+    M(expected_parameters,    "expected '(' and the {}'s parameters, found {}") \
     M(expected_in,            "expected 'in', found {}") \
     M(expected_open_brace,    "expected '{{', found {}") \
     M(missing_close_brace,    "missing '}}' before {}") \
@@ -58,7 +58,7 @@ namespace lancer {
     M(unknown_argument,       "'{}' has no parameter '{}'") \
     M(argument_twice,         "'{}' is given twice") \
     M(positional_after_named, "an argument without a name cannot follow one with a name") \
-    M(named_to_function,      "functions take no named arguments") \
+    M(named_to_function,      "functions of the language take no named arguments") \
     M(function_count,         "'{}' takes {}, not {}") \
     M(function_argument,      "'{}' takes {}, not {}") \
     M(function_domain,        "'{}' is not defined for {}") \
@@ -140,6 +140,7 @@ namespace lancer {
     /* Command line */ \
     M(unknown_definition,     "-D {}: the scene has no param of this name") \
     /* Warnings */ \
+    M(hides_function,         "'{}' is a function of the language, too: from here on this one is called") \
     M(color_far_above_white,  "the colour {} is far brighter than white") \
     M(fov_of_radians,         "a field of view of {} degrees is that of a telescope") \
     M(angle_of_degrees,       "'{}' takes radians, and {} is more than a whole turn") \

@@ -123,6 +123,10 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
                                                             text_.substr(name.offset, name.length))
                                             : report_.error(error.message, where, found);
         }
+        case Message::expected_parameters:
+            return report_.error(error.message, where,
+                                 building_.back().kind == Kind::func ? "function" : "template",
+                                 found);
         case Message::expected_name:
             if (where.length > 0 && scan::is_reserved(text_.substr(where.offset, where.length)))
                 return report_.error(Message::name_reserved, where,

@@ -10,9 +10,9 @@ std::size_t line_end(std::string_view text, std::size_t at) {
 }
 
 bool is_reserved(std::string_view word) {
-    static constexpr std::array<std::string_view, 12> words{"include", "let",   "param", "def",
-                                                            "for",     "in",    "if",    "else",
-                                                            "assert",  "print", "true",  "false"};
+    static constexpr std::array<std::string_view, 13> words{
+        "include", "let",  "param",  "def",   "func", "for",  "in",
+        "if",      "else", "assert", "print", "true", "false"};
     for (const std::string_view reserved : words)
         if (word[0] == reserved[0] && word == reserved) return true;
     return false;

@@ -39,7 +39,7 @@ const Binding* Scopes::find(Symbol name) const {
     return nullptr;
 }
 
-const Binding* Scopes::find_template(Symbol name) const {
+const Binding* Scopes::find_callable(Symbol name) const {
     if (name >= newest_.size()) return nullptr;
     for (std::uint32_t i = newest_[name]; i != 0; i = bindings_[i].previous)
         if (bindings_[i].kind != Binding::Kind::value && is_visible(i)) return &bindings_[i];

@@ -1,10 +1,10 @@
 // Which name means what, where: one lexical scope for let, param, def, material and texture.
 //
-// Templates see the names of the place where they were written. Since they are no values, whoever
-// can call one stands inside the scope that holds it, so all scopes that a body can see are still
-// open, and one stack of bindings serves them all. Each name knows its newest binding; a binding
-// counts when its scope is the one that the running code sees at that depth ("display", Dijkstra),
-// and when it was made before the template that is running.
+// Templates and functions see the names of the place where they were written. Since they are no
+// values, whoever can call one stands inside the scope that holds it, so all scopes that a body can
+// see are still open, and one stack of bindings serves them all. Each name knows its newest
+// binding; a binding counts when its scope is the one that the running code sees at that depth
+// ("display", Dijkstra), and when it was made before the template or function that is running.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@
 namespace lancer {
 
 struct Binding {
-    enum class Kind : std::uint8_t { value, definition, broken_definition };
+    enum class Kind : std::uint8_t { value, definition, function, broken_definition };
 
     Kind kind = Kind::value;
     Symbol name = no_symbol;
     Value value;
-    const ast::File* file = nullptr;             ///< of a template
-    const ast::Statement* definition = nullptr;  ///< of a template
+    const ast::File* file = nullptr;             ///< of a template or function
+    const ast::Statement* definition = nullptr;  ///< of a template or function
     SourceSpan place;                            ///< of the name in its definition
     std::uint32_t scope = 0;                     ///< set by bind()
     std::uint32_t depth = 0;                     ///< set by bind()
@@ -38,8 +38,8 @@ class Scopes {
     void bind(Binding binding);
     /// What a name means here; nullptr: nothing. Holds until the next bind() or close().
     const Binding* find(Symbol name) const;
-    /// The template that a call of this name means here.
-    const Binding* find_template(Symbol name) const;
+    /// The template or function that a call of this name means here.
+    const Binding* find_callable(Symbol name) const;
     /// The binding of the name in the innermost scope itself.
     const Binding* find_here(Symbol name) const;
 
@@ -56,7 +56,7 @@ class Scopes {
         std::uint32_t template_depth = 0;
         std::uint32_t limit = 0;
     };
-    /// Sees what the template's body sees. Open a scope for its parameters next.
+    /// Sees what the body of the template or function sees. Open a scope for its parameters next.
     Caller enter(const Binding& definition);
     void leave(const Caller& caller);
 

@@ -32,8 +32,9 @@ void Evaluator::step() {
         return;
     }
     const ast::File& file = *frame.file;
-    mark_executed(file, frame.next);
-    const ast::Statement& statement = file.statements[frame.next++];
+    const ast::Statement& statement = file.statements[frame.next];
+    if (statement.kind != Kind::func) mark_executed(file, frame.next);  // its calls do
+    ++frame.next;
     meter_.statement(file.span(statement));
     execute(file, statement);
 }
@@ -56,7 +57,8 @@ void Evaluator::execute(const ast::File& file, const ast::Statement& statement) 
             execute_param(file, statement);
             break;
         case Kind::def:
-            execute_def(file, statement);
+        case Kind::func:
+            define_callable(file, statement);
             break;
         case Kind::loop:
             execute_loop(file, statement);
@@ -75,8 +77,8 @@ void Evaluator::execute(const ast::File& file, const ast::Statement& statement) 
             break;
         case Kind::broken: {
             Binding binding;
-            binding.kind = text(statement.word) == "def" ? Binding::Kind::broken_definition
-                                                         : Binding::Kind::value;
+            const bool callable = text(statement.word) == "def" || text(statement.word) == "func";
+            binding.kind = callable ? Binding::Kind::broken_definition : Binding::Kind::value;
             binding.name = statement.name;
             binding.place = file.name_span(statement);
             if (scopes_.find_here(binding.name) == nullptr) scopes_.bind(std::move(binding));

@@ -226,7 +226,14 @@ std::string Builder::hint_for(const SyntaxError& error) const {
                            token.kind == Token::Kind::string
                        ? "what stands in brackets is separated by commas"
                        : "";
+        case Message::expected_parameters:
+            return found == "=" && building_.back().kind == Kind::func
+                       ? "a value without parameters is 'let " +
+                             std::string(symbols_.text(building_.back().name)) + " = ...'"
+                       : "";
         case Message::expected_equals:
+            if (building_.back().kind == Kind::func)
+                return found == "{" ? std::string(habits::callables) : "";
             return building_.back().kind == Kind::param
                        ? "a param has a value, which -D on the command line replaces: 'param " +
                              std::string(symbols_.text(building_.back().name)) + " = 1'"
@@ -237,6 +244,8 @@ std::string Builder::hint_for(const SyntaxError& error) const {
                        ? "a loop is written 'for i in 0..10 { ... }' or 'for x in list { ... }'"
                        : "";
         case Message::expected_open_brace:
+            if (found == "=" && building_.back().kind == Kind::def)
+                return std::string(habits::callables);
             if (found == "and" || found == "or") return std::string(habits::instead_of(found));
             if (text_of(before) == "not") return "write '!" + std::string(found) + "'";
             if (found == ":" || found == "then" || found == "do")

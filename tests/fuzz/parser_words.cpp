@@ -8,9 +8,9 @@
 #include "parser/functions.h"
 
 int main() {
-    std::set<std::string_view> words{"include", "let",   "param", "def",    "for",
-                                     "in",      "if",    "else",  "assert", "print",
-                                     "true",    "false", "frame", "time"};
+    std::set<std::string_view> words{"include", "let",  "param", "def",   "func",
+                                     "for",     "in",   "if",    "else",  "assert",
+                                     "print",   "true", "false", "frame", "time"};
     for (const lancer::BlockInfo& block : lancer::all_blocks()) {
         words.insert({block.keyword, block.kind});
         for (const auto& part : {block.own, block.shared}) {

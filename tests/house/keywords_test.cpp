@@ -96,7 +96,7 @@ TEST_F(Keywords, EveryPropertyOfEveryBlockHasAScene) {
 }
 
 TEST_F(Keywords, EveryStatementFunctionAndConstantHasAScene) {
-    std::vector<std::string> words{"include", "let",  "param",  "def",   "for",  "in",
+    std::vector<std::string> words{"include", "let",  "param",  "def",   "func", "for",  "in",
                                    "if",      "else", "assert", "print", "true", "false"};
     for (const Function& function : all_functions()) words.emplace_back(function.name);
     for (const Constant& constant : all_constants()) words.emplace_back(constant.name);
