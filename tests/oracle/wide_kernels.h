@@ -45,6 +45,7 @@ struct WideKernels {
     void (*surfaces)(const wide::Scene& scene, wide::ExactMethods& exact, const wide::LaneRay* rays,
                      const wide::LaneHit* hits, wide::LaneSurface* out);
     void (*power)(const double* x, const double* y, double* out);
+    void (*arc_cosine)(const double* x, double* out);
 };
 
 extern const WideKernels wide_kernels_avx2;

@@ -157,10 +157,14 @@ inline void surfaces_kernel(const Scene& scene, ExactMethods& exact, const LaneR
 inline void power_kernel(const double* x, const double* y, double* out) {
     store(out, power(load(x), load(y)));
 }
+inline void arc_cosine_kernel(const double* x, double* out) {
+    store(out, arc_cosine(load(x)));
+}
 
 inline constexpr oracle::WideKernels kernels{
     ball_kernel,        box_kernel,        plane_kernel,          triangle_kernel,
     ball_shadow_kernel, box_shadow_kernel, frustum_shadow_kernel, plane_shadow_kernel,
-    slabs_kernel,       local_kernel,      surfaces_kernel,       power_kernel};
+    slabs_kernel,       local_kernel,      surfaces_kernel,       power_kernel,
+    arc_cosine_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

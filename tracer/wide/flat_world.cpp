@@ -152,21 +152,28 @@ void FlatWorld::add(const lancer::Finish<double>& finish, const World<double>& w
     f.blinn = finish.blinn;
     f.inverse_roughness = finish.inverse_roughness;
     f.opacity = 1 - finish.filter - finish.transmission;
-    f.plain = finish.metallic == 0 && !finish.fresnel && !finish.lit_from_behind;
+    f.metallic = finish.metallic;
+    f.plain = !finish.fresnel && !finish.lit_from_behind;
     f.textured = finish.texture != none;
 }
 
 void FlatWorld::add(const LightSource<double>& light, const World<double>& world) {
     using SourceKind = LightSource<double>::Kind;
     Light& l = lights_.emplace_back();
-    l.kind = Light::Kind::other;
     if (light.kind == SourceKind::directional) {
         l.kind = Light::Kind::directional;
         put(light.direction, l.place);
     } else {
-        if (light.kind == SourceKind::point && !light.fades) l.kind = Light::Kind::point;
+        l.kind = light.kind == SourceKind::spot ? Light::Kind::spot : Light::Kind::point;
         put(light.position, l.place);
     }
+    l.fades = light.fades;
+    l.fade_distance = light.fade_distance;
+    l.fade_power = light.fade_power;
+    put(light.direction, l.axis);
+    l.cos_radius = light.cos_radius;
+    l.cos_falloff = light.cos_falloff;
+    l.tightness = light.tightness;
     l.shadows = world.settings.shadows && light.shadows;
     l.fill = !light.shadows;
     put(light.color, l.color);

@@ -122,5 +122,9 @@ LANCER_INLINE Floats rounded(const Numbers& a) {
 LANCER_INLINE Numbers power(const Numbers& x, const Numbers& y) {
     return {Sleef_cinz_powd4_u10avx(x.low, y.low), Sleef_cinz_powd4_u10avx(x.high, y.high)};
 }
+/// elementary::acos
+LANCER_INLINE Numbers arc_cosine(const Numbers& x) {
+    return {Sleef_cinz_acosd4_u10avx(x.low), Sleef_cinz_acosd4_u10avx(x.high)};
+}
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -104,5 +104,9 @@ LANCER_INLINE Floats rounded(const Numbers& a) {
 LANCER_INLINE Numbers power(const Numbers& x, const Numbers& y) {
     return {Sleef_cinz_powd8_u10avx512fnofma(x.v, y.v)};
 }
+/// elementary::acos
+LANCER_INLINE Numbers arc_cosine(const Numbers& x) {
+    return {Sleef_cinz_acosd8_u10avx512fnofma(x.v)};
+}
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -9,13 +9,32 @@ struct LightSamples {
     Numbers distance;
 };
 
+/// What distance and a spot's cone leave of a light.
+LANCER_INLINE Numbers light_factor(const Light& light, const LightSamples& at, Mask mask) {
+    const Numbers zero = all(0.0);
+    const Numbers one = all(1.0);
+    Numbers factor = one;
+    if (light.fades) {
+        const Numbers far = select(mask, at.distance / all(light.fade_distance), one);
+        factor = all(2.0) / (one + power(far, all(light.fade_power)));
+    }
+    if (light.kind != Light::Kind::spot) return factor;
+    const Numbers cosine = -dot(at.direction, all(light.axis));
+    const Mask front = mask & ~at_most(cosine, zero);
+    factor = factor * power(select(front, cosine, one), all(light.tightness));
+    const Numbers width = all(light.cos_radius) - all(light.cos_falloff);
+    const Numbers x = larger((cosine - all(light.cos_falloff)) / width, zero);
+    const Numbers soft = factor * (x * x * (all(3.0) - all(2.0) * x));
+    factor = select(less(cosine, all(light.cos_radius)), soft, factor);
+    return select(front, factor, zero);
+}
+
 /// sample_light()
 LANCER_INLINE LightSamples sample_light(const Job& job, std::size_t index, const Surfaces& s,
                                         Mask mask) {
     const Light& light = job.scene->lights[index];
     LightSamples at;
     at.color = all(light.color);
-    Mask odd = mask;
     if (light.kind == Light::Kind::directional) {
         at.direction = all(light.place);
         at.distance = all(infinity);
@@ -25,8 +44,10 @@ LANCER_INLINE LightSamples sample_light(const Job& job, std::size_t index, const
     const Numbers square = dot(way, way);
     at.distance = root(square);
     at.direction = way / at.distance;
-    if (light.kind == Light::Kind::point) odd &= ~is_sound_square(square);
-    for_each_lane(odd, [&](int i) {
+    const Mask sound = mask & is_sound_square(square);
+    if (light.fades || light.kind == Light::Kind::spot)
+        at.color = at.color * light_factor(light, at, sound);
+    for_each_lane(mask & ~sound, [&](int i) {
         const double position[] = {lane(s.position.x, i), lane(s.position.y, i),
                                    lane(s.position.z, i)};
         const double low[] = {lane(s.position_lo.x, i), lane(s.position_lo.y, i),
@@ -38,6 +59,28 @@ LANCER_INLINE LightSamples sample_light(const Job& job, std::size_t index, const
         set_lane(at.distance, i, one.distance);
     });
     return at;
+}
+
+/// metallic_share(), for cosines above 0
+LANCER_INLINE Numbers metallic_share(const Numbers& cosine) {
+    const Numbers one = all(1.0);
+    constexpr double quarter_turn = static_cast<double>(1.570796326794896619231321691639751442L);
+    const Numbers x =
+        arc_cosine(smaller(one, cosine)) / all(quarter_turn) - all(static_cast<double>(1.12L));
+    const Numbers f =
+        all(static_cast<double>(0.014567225L)) / (x * x) - all(static_cast<double>(0.011612903L));
+    return smaller(one, f);
+}
+
+/// tinted(): the colour of a highlight.
+LANCER_INLINE Vectors tinted(const Surfaces& s, const Numbers& cosine, const Vectors& color,
+                             Mask mask) {
+    const Mask metallic = mask & ~equal(s.metallic, all(0.0));
+    if (metallic == 0) return color;
+    const Numbers one = all(1.0);
+    const Vectors white{one, one, one};
+    const Numbers amount = s.metallic * (one - metallic_share(select(metallic, cosine, one)));
+    return select(metallic, color * (white + amount * (s.color - white)), color);
 }
 
 /// Phong's and Blinn's highlights, by their strength.
@@ -112,7 +155,7 @@ inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, con
         Vectors more = sum + s.opacity * s.color * color * (s.diffuse * cosine);
         if ((glossy & lit) != 0 && !light.fill) {
             const Numbers strength = highlight(s, r.dir, mirror, at.direction, lit);
-            more = select(glossy, more + color * strength, more);
+            more = select(glossy, more + tinted(s, cosine, color, glossy & lit) * strength, more);
         }
         sum = select(lit, more, sum);
     }

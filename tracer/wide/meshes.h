@@ -3,6 +3,11 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
+/// Whether scalar code is faster: it takes one ray into the object's space, not eight.
+LANCER_INLINE bool is_better_alone(const Mesh& mesh, Mask mask) {
+    return mesh.frame != nullptr && (mask & (mask - 1)) == 0;
+}
+
 class MeshQuery {
   public:
     MeshQuery(const Mesh& mesh, std::uint32_t item, const Rays& world, const Starts& starts)

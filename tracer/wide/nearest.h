@@ -32,7 +32,11 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     const Scene& scene = *job.scene;
     const Item& item = scene.items[index];
     if (item.kind == Kind::mesh) {
-        mesh_crossings(scene.meshes[item.shape], index, r, starts, mask, hits);
+        const Mesh& mesh = scene.meshes[item.shape];
+        if (is_better_alone(mesh, mask))
+            exact_crossings(*job.exact, index, r, starts, mask, hits);
+        else
+            mesh_crossings(mesh, index, r, starts, mask, hits);
         return;
     }
     const Mask own = mask & equal(starts.item, index);

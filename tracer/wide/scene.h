@@ -103,7 +103,7 @@ struct Finish {
     double color[3];
     double reflection[3];
     double own[3];  ///< ambient * World::ambient + emission
-    double diffuse, phong, shininess, blinn, inverse_roughness;
+    double diffuse, phong, shininess, blinn, inverse_roughness, metallic;
     double opacity;
     bool plain;     ///< its light is computed in lanes
     bool textured;  ///< its colour is not
@@ -111,15 +111,19 @@ struct Finish {
 
 struct Light {
     enum class Kind : std::uint8_t {
-        point,        ///< that does not fade
+        point,
         directional,  ///< its direction is `place`
-        other,        ///< which scalar code knows
+        spot,
     };
     Kind kind;
     bool shadows;  ///< it, and the settings, have them
     bool fill;     ///< it brings no highlights
+    bool fades;
     double place[3];
     double color[3];
+    double fade_distance, fade_power;
+    double axis[3];  ///< of a spot, the way its light travels
+    double cos_radius, cos_falloff, tightness;
 };
 
 struct Camera {

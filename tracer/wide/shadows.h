@@ -55,6 +55,10 @@ class ShadowQuery {
         mask &= ~equal(starts_.left, index);
         if (!item.casts_shadow || mask == 0) return;
         if (item.kind == Kind::mesh) {
+            if (is_better_alone(scene_.meshes[item.shape], mask) && !item.glassy) {
+                ask_exactly(index, mask);
+                return;
+            }
             note(MeshShadow(scene_.meshes[item.shape], index, rays_, starts_, mask, distance_),
                  item.glassy);
             return;

@@ -6,7 +6,7 @@ namespace lancer::wide::LANCER_LEVEL {
 /// Eight hits with all that shading asks of them: Surface<double> and its finish.
 struct Surfaces {
     Vectors position, position_lo, geometric, normal, color, reflection, own;
-    Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness;
+    Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness, metallic;
 };
 
 LANCER_INLINE void put(Mask mask, const VectorPair& place, const Numbers& error,
