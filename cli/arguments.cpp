@@ -83,6 +83,14 @@ FrameRange parse_frames(const std::string& text) {
     throw UsageError(fmt::format("'{}' is no range of frames: expected A..B, as in 1..10", text));
 }
 
+void check_crop(const Crop& crop, int width, int height) {
+    if (crop.x >= width || crop.y >= height || crop.width > width - crop.x ||
+        crop.height > height - crop.y) {
+        throw UsageError(fmt::format("--crop {},{},{},{} leaves the picture of {}x{} pixels",
+                                     crop.x, crop.y, crop.width, crop.height, width, height));
+    }
+}
+
 double parse_number(const std::string& text) {
     const auto value = read<double>(text);
     if (!value || !std::isfinite(*value)) throw UsageError(fmt::format("'{}' is no number", text));

@@ -36,6 +36,8 @@ struct FrameRange {
 PictureSize parse_size(const std::string& text);
 Crop parse_crop(const std::string& text);
 FrameRange parse_frames(const std::string& text);
+/// Throws UsageError when the crop leaves the picture.
+void check_crop(const Crop& crop, int width, int height);
 double parse_number(const std::string& text);
 std::int64_t parse_whole_number(const std::string& text);
 

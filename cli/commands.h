@@ -17,5 +17,6 @@ void add_export(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
+void add_tradeoff(CLI::App& app, Action& action);
 
 }  // namespace lancer::cli

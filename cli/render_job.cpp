@@ -86,14 +86,7 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     view.height = job.size ? job.size->height : scene.height;
     view.crop = job.crop;
     view.aov = job.aov;
-    if (job.crop) {
-        const Crop& c = *job.crop;
-        if (c.x >= view.width || c.y >= view.height || c.width > view.width - c.x ||
-            c.height > view.height - c.y) {
-            throw UsageError(fmt::format("--crop {},{},{},{} leaves the picture of {}x{} pixels",
-                                         c.x, c.y, c.width, c.height, view.width, view.height));
-        }
-    }
+    if (job.crop) check_crop(*job.crop, view.width, view.height);
     if (job.preview) make_coarser(view);
     const int width = view.crop ? view.crop->width : view.width;
     const int height = view.crop ? view.crop->height : view.height;

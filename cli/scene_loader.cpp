@@ -4,12 +4,15 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <string_view>
 
 #include "cli/arguments.h"
 #include "cli/deep_stack.h"
 #include "cli/picture_options.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
+#include "reference/povray/sha256.h"
 
 namespace lancer::cli {
 namespace {
@@ -26,21 +29,26 @@ std::string without_blanks(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Reads from disk, and tells `files` what is read.
-Loader noting_loader(RunFiles& files) {
+/// Reads from disk, and tells `note` what is read.
+Loader noting_loader(const std::function<void(const std::string& path)>& note) {
     const Loader disk = disk_loader();
-    return {[&files, disk](const std::string& path, std::size_t limit) {
-                files.add_input(path);
+    return {[note, disk](const std::string& path, std::size_t limit) {
+                note(path);
                 return disk.text(path, limit);
             },
-            [&files, disk](const std::string& path) {
-                files.add_input(path);
+            [note, disk](const std::string& path) {
+                note(path);
                 return disk.mesh(path);
             },
-            [&files, disk](const std::string& path, io::ColorSpace space) {
-                files.add_input(path);
+            [note, disk](const std::string& path, io::ColorSpace space) {
+                note(path);
                 return disk.image(path, space);
             }};
+}
+
+/// With its length in front, so that two different lists of parts never read the same.
+std::string framed(std::string_view part) {
+    return fmt::format("{}:{}\n", part.size(), part);
 }
 
 void add_limit(CLI::App& app, const std::string& name, std::uint64_t& target, std::int64_t most,
@@ -110,11 +118,15 @@ SceneLoader::SceneLoader(const std::string& path, const SceneOptions& options, S
 Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time) {
     const Stopwatch watch;
     const Definitions definitions{options_.definitions, frame, time};
+    const auto note = [this](const std::string& path) {
+        session_.files.add_input(path);
+        read_.insert(path);
+    };
     std::vector<Diagnostic> found = syntax_errors_;
     Evaluation evaluation;
     run_on_deep_stack(options_.limits, [&] {
         evaluation = evaluate(script_, definitions, options_.limits, session_.sources, found,
-                              noting_loader(session_.files));
+                              noting_loader(note));
     });
     evaluate_seconds_ += watch.seconds();
 
@@ -131,6 +143,13 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     }
     show_new(std::move(found));
     return std::move(evaluation.scene);
+}
+
+std::string SceneLoader::content() const {
+    std::string all = framed(session_.sources.text(script_.file));
+    for (const auto& [name, value] : options_.definitions) all += framed(name) + framed(value);
+    for (const std::string& path : read_) all += framed(reference::sha256(io::read_file(path)));
+    return reference::sha256(all);
 }
 
 void SceneLoader::show_new(std::vector<Diagnostic> found) {

@@ -35,6 +35,10 @@ class SceneLoader {
     /// a file that the scene reads.
     Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
+    /// Digest of all that was read for the scene, names not counted, and of the definitions: equal
+    /// ones make equal scenes. After load(). Throws FileError.
+    std::string content() const;
+
     double parse_seconds() const { return parse_seconds_; }
     /// Of all evaluations up to now.
     double evaluate_seconds() const { return evaluate_seconds_; }
@@ -46,6 +50,7 @@ class SceneLoader {
     Session& session_;
     Script script_;
     std::vector<Diagnostic> syntax_errors_;
+    std::set<std::string> read_;   ///< files beside the script's own
     std::set<std::string> shown_;  ///< warnings, so that ten frames do not warn ten times
     double parse_seconds_ = 0;
     double evaluate_seconds_ = 0;

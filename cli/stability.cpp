@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/memory_bound.h"
 #include "cli/scene_loader.h"
+#include "cli/scene_size.h"
 #include "cli/settings_options.h"
 #include "cli/stability_options.h"
 #include "cli/stopwatch.h"
@@ -45,14 +46,6 @@ struct StabilityJob {
     SettingsOptions settings;
     SceneOptions scene_options;
 };
-
-/// 160 pixels wide unless the command line says otherwise, in the scene's own proportions.
-PictureSize size_of(const StabilityJob& job, const Scene& scene) {
-    if (job.size) return *job.size;
-    constexpr int width = 160;
-    const double height = std::round(width * static_cast<double>(scene.height) / scene.width);
-    return {width, static_cast<int>(std::clamp(height, 1.0, 4096.0))};
-}
 
 const char* precision_name(Precision precision) {
     switch (precision) {
@@ -132,7 +125,7 @@ ExitCode stability(const StabilityJob& job, Session& session) {
     Scene scene = loader.load();
     scene.settings.samples = 1;  // the pixel's centre, unless asked otherwise
     job.settings.apply_to(scene.settings);
-    const PictureSize size = size_of(job, scene);
+    const PictureSize size = size_or(job.size, scene, 160);
     const std::uint64_t needed = 4 * picture_bytes(size.width, size.height, 3);
     if (needed > available_memory())
         throw UsageError(fmt::format("pictures of {}x{} pixels do not fit into memory", size.width,

@@ -18,6 +18,7 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/scene_loader.h"
+#include "cli/scene_size.h"
 #include "judge/report/shell_text.h"
 #include "judge/validate/our_renderer.h"
 #include "judge/validate/validation_text.h"
@@ -42,14 +43,6 @@ struct ValidateJob {
     SceneOptions scene_options;
 };
 
-/// 320 pixels wide unless the command line says otherwise, in the scene's own proportions.
-PictureSize size_of(const ValidateJob& job, const Scene& scene) {
-    if (job.size) return *job.size;
-    constexpr int width = 320;
-    const double height = std::round(width * static_cast<double>(scene.height) / scene.width);
-    return {width, static_cast<int>(std::clamp(height, 1.0, 4096.0))};
-}
-
 /// The scene and what chooses its picture, as one would type it.
 std::string scene_words(const std::string& path, const ValidateJob& job) {
     std::string words = judge::shell_quoted(path);
@@ -72,7 +65,7 @@ ValidationJob load(const std::string& path, const ValidateJob& job, Session& ses
         const auto [line, column] = sources.locate(span);
         return fmt::format("{}:{}:{}", sources.name(span.file), line, column);
     };
-    const PictureSize size = size_of(job, *scene);
+    const PictureSize size = size_or(job.size, *scene, 320);
     result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job.camera, session)), size.width,
                    size.height};
     if (path != "-") session.files.add_input(judge::expectations_beside(path));

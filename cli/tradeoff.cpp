@@ -1,0 +1,188 @@
+// lancer tradeoff
+#include "judge/tradeoff/tradeoff.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/memory_bound.h"
+#include "cli/progress.h"
+#include "cli/scene_loader.h"
+#include "cli/scene_size.h"
+#include "cli/settings_options.h"
+#include "cli/stopwatch.h"
+#include "judge/tradeoff/tradeoff_text.h"
+#include "model/diagnostic.h"
+#include "reference/povray/runner.h"
+
+namespace lancer::cli {
+namespace {
+
+using judge::TradeOffReport;
+
+struct TradeOffJob {
+    std::vector<std::string> scenes;
+    std::string json;
+    std::string camera;
+    std::optional<PictureSize> size;
+    std::optional<Crop> crop;
+    std::optional<double> budget;
+    bool no_cache = false;
+    bool quiet = false;
+    SettingsOptions settings;  ///< threads and seed alone
+    SceneOptions scene_options;
+};
+
+/// A scene that is about to be measured.
+struct Subject {
+    std::string name;
+    Scene scene;
+    View view;
+    std::string content;  ///< digest
+};
+
+Subject load(const std::string& path, const TradeOffJob& job, Session& session) {
+    SceneLoader loader(path, job.scene_options, session);
+    Subject subject;
+    subject.name = path == "-" ? "standard input" : path;
+    subject.scene = loader.load();
+    session.terminal.show(missing_parts(subject.scene), session.sources);
+    job.settings.apply_to(subject.scene.settings);
+    subject.content = loader.content();
+    const PictureSize size = size_or(job.size, subject.scene, 160);
+    View& view = subject.view;
+    view.camera = pick_camera(subject.scene, job.camera, session);
+    view.width = size.width;
+    view.height = size.height;
+    view.crop = job.crop;
+    if (job.crop) check_crop(*job.crop, view.width, view.height);
+    constexpr int at_once = 10;  // pictures, the truth's halves and adaptive samples
+    const Crop part = view.crop.value_or(Crop{0, 0, view.width, view.height});
+    if (at_once * picture_bytes(part.width, part.height, 3) > available_memory())
+        throw UsageError(fmt::format("pictures of {}x{} pixels do not fit into memory", part.width,
+                                     part.height));
+    return subject;
+}
+
+/// Names this very build: another may render other pictures.
+std::string program_stamp() {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    return fmt::format("{} {} {} ", LANCER_VERSION, fs::file_size(program, ignored),
+                       fs::last_write_time(program, ignored).time_since_epoch().count());
+}
+
+class TradeOffs {
+  public:
+    TradeOffs(const TradeOffJob& job, std::vector<Subject> subjects, Session& session)
+        : job_(job),
+          session_(session),
+          subjects_(std::move(subjects)),
+          bar_(session.terminal, job.quiet, subjects_.size()) {
+        if (!job.no_cache) cache_ = reference::cache_folder();
+        if (!cache_.empty()) program_ = program_stamp();
+    }
+
+    void run() {
+        for (std::size_t i = 0; i < subjects_.size(); ++i) {
+            bar_.begin_part(i);
+            reports_.push_back(measured(subjects_[i], subjects_.size() - i));
+            bar_.clear();
+            if (!job_.quiet)
+                session_.output.say((i > 0 ? "\n" : "") + judge::tradeoff_text(reports_.back()));
+        }
+        session_.write(job_.json, judge::tradeoff_json(reports_));
+    }
+
+  private:
+    TradeOffReport measured(const Subject& subject, std::size_t left) {
+        judge::TradeOffOptions options;
+        // What earlier scenes have not used is there for the others.
+        if (job_.budget)
+            options.budget =
+                std::max(1e-3, *job_.budget - watch_.seconds()) / static_cast<double>(left);
+        options.cache = {cache_, program_ + subject.content};
+        options.progress = [this](double share, const std::string& what) {
+            bar_.set_label(what);
+            bar_.update(share);
+        };
+        try {
+            TradeOffReport report = judge::trade_off(subject.scene, subject.view, options);
+            report.scene = subject.name;
+            return report;
+        } catch (const judge::BudgetTooShort& error) {
+            throw UsageError(fmt::format("--budget {:g} is too short for {}: {}", *job_.budget,
+                                         subject.name, error.what()));
+        }
+    }
+
+    const TradeOffJob& job_;
+    Session& session_;
+    std::vector<Subject> subjects_;
+    Stopwatch watch_;
+    std::string cache_;
+    std::string program_;
+    std::vector<TradeOffReport> reports_;
+    ProgressBar bar_;
+};
+
+ExitCode tradeoff(const TradeOffJob& job, Session& session) {
+    session.will_write(job.json, "--json");
+    // All are read before the first is measured: a mistake in the last would come late.
+    std::vector<Subject> subjects;
+    for (const std::string& path : job.scenes) subjects.push_back(load(path, job, session));
+    TradeOffs(job, std::move(subjects), session).run();
+    return ExitCode::done;
+}
+
+void add_view_options(CLI::App& command, const std::shared_ptr<TradeOffJob>& job) {
+    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--size", [job = job.get()](const std::string& text) { job->size = parse_size(text); },
+            "Size of the pictures; 160 pixels wide by default, in the scene's proportions")
+        ->type_name("WxH");
+    command
+        .add_option_function<std::string>(
+            "--crop", [job = job.get()](const std::string& text) { job->crop = parse_crop(text); },
+            "Only this part of the picture, in pixels from its top left corner")
+        ->type_name("X,Y,W,H");
+    add_whole_number(command, "--threads", job->settings.threads, 1, 1024,
+                     "Threads; as many as the machine has by default. Times count all of them")
+        ->type_name("N");
+    add_whole_number(command, "--seed", job->settings.seed, 0,
+                     std::numeric_limits<std::int64_t>::max(), "Other sobol points; 0 by default")
+        ->type_name("N");
+}
+
+}  // namespace
+
+void add_tradeoff(CLI::App& app, Action& action) {
+    CLI::App& command = *app.add_subcommand(
+        "tradeoff", "Turn each knob of quality, and measure what it costs and what it brings");
+    const auto job = std::make_shared<TradeOffJob>();
+    command.add_option("SCENE", job->scenes, "Scene files; - reads standard input")
+        ->required()
+        ->type_name("");
+    command.add_option("--json", job->json, "Write everything as JSON; - to standard output")
+        ->type_name("FILE");
+    add_number(command, "--budget", job->budget, 0.1, 1e7,
+               "End within S seconds; what is left out is named")
+        ->type_name("S");
+    add_view_options(command, job);
+    command.add_flag("--no-cache", job->no_cache, "Make the truth anew, and do not keep it");
+    command.add_flag("-q,--quiet", job->quiet, "No table");
+    add_scene_options(command, job->scene_options);
+    command.callback(
+        [&action, job] { action = [job](Session& session) { return tradeoff(*job, session); }; });
+}
+
+}  // namespace lancer::cli

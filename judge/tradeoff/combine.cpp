@@ -1,0 +1,99 @@
+#include "judge/tradeoff/combine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "judge/tradeoff/frontier.h"
+
+namespace lancer::judge {
+namespace {
+
+constexpr double least_gain = 0.97;           // of the cost that a knob must leave
+constexpr double worst_square = 0.05 * 0.05;  // of an error that is worth a look
+
+struct Candidate {
+    TradeSetting setting;
+    TradePoint expected;  ///< error: squared
+    int turned = 0;       ///< knobs beside the samples
+};
+
+/// Of the base's cost. Where a knob saves rays, their numbers tell it without the clock's noise.
+double share_of_cost(const KnobEffect& e, const KnobEffect& base) {
+    switch (e.setting.knob) {
+        case Knob::max_depth:
+        case Knob::min_contribution:
+        case Knob::shadows:
+            return e.rays / base.rays;
+        default:
+            return e.seconds / base.seconds;
+    }
+}
+
+/// Of all that promise something, as many as are wanted, at even distances in the error.
+std::vector<Candidate> thinned(const std::vector<Candidate>& all, std::size_t most) {
+    if (all.size() <= most) return all;
+    const double first = std::log(all.front().expected.error);
+    const double last = std::log(all.back().expected.error);
+    std::vector<Candidate> kept;
+    std::set<std::size_t> taken;
+    for (std::size_t k = 0; k < most; ++k) {
+        const double at =
+            first + (last - first) * (static_cast<double>(k) + 0.5) / static_cast<double>(most);
+        std::size_t nearest = 0;
+        for (std::size_t i = 1; i < all.size(); ++i)
+            if (std::abs(std::log(all[i].expected.error) - at) <
+                std::abs(std::log(all[nearest].expected.error) - at))
+                nearest = i;
+        if (taken.insert(nearest).second) kept.push_back(all[nearest]);
+    }
+    return kept;
+}
+
+}  // namespace
+
+std::vector<TradeSetting> promising(const TurnedScene& turned, const KnobEffect& base,
+                                    const std::vector<KnobEffect>& singles, std::size_t most) {
+    std::vector<Candidate> all;
+    for (const KnobEffect& e : singles) {
+        if (e.setting.knob == Knob::samples || e.setting.knob == Knob::exact)
+            all.push_back({e.setting, {e.seconds, e.mean_square}, 0});
+    }
+    for (const Knob knob : {Knob::max_depth, Knob::min_contribution, Knob::tolerance,
+                            Knob::precision, Knob::shadows, Knob::smooth, Knob::textures}) {
+        const std::size_t before = all.size();
+        for (const KnobEffect& e : singles) {
+            if (e.setting.knob != knob) continue;
+            const double share = share_of_cost(e, base);
+            if (share > least_gain) continue;
+            for (std::size_t i = 0; i < before; ++i) {
+                Candidate c = all[i];
+                take_knob(e.setting, c.setting.settings);
+                c.expected.seconds *= share;
+                c.expected.error += e.cut;
+                ++c.turned;
+                all.push_back(std::move(c));
+            }
+        }
+        // What is beaten now stays so: the other knobs do the same to both.
+        std::vector<TradePoint> points;
+        for (const Candidate& c : all) points.push_back(c.expected);
+        std::vector<Candidate> kept;
+        for (const std::size_t i : frontier(points)) kept.push_back(all[i]);
+        all = std::move(kept);
+    }
+    std::set<std::string> known;
+    for (const KnobEffect& e : singles) known.insert(e.setting.options);
+    std::vector<Candidate> fresh;
+    for (Candidate& c : all) {
+        if (c.turned == 0 || !(c.expected.error > 0) || c.expected.error > worst_square) continue;
+        c.setting.knob = Knob::combination;
+        c.setting = named(turned, c.setting);
+        if (known.insert(c.setting.options).second) fresh.push_back(c);
+    }
+    std::vector<TradeSetting> result;
+    for (const Candidate& c : thinned(fresh, most)) result.push_back(c.setting);
+    return result;
+}
+
+}  // namespace lancer::judge

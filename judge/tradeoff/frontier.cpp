@@ -1,0 +1,53 @@
+#include "judge/tradeoff/frontier.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lancer::judge {
+namespace {
+
+constexpr double time_noise = 0.03;
+constexpr double error_noise = 0.02;
+
+}  // namespace
+
+std::vector<std::size_t> frontier(std::span<const TradePoint> points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        if (points[a].seconds != points[b].seconds) return points[a].seconds < points[b].seconds;
+        return points[a].error < points[b].error;
+    });
+    std::vector<std::size_t> best;
+    for (const std::size_t i : order)
+        if (best.empty() || points[i].error < points[best.back()].error) best.push_back(i);
+    return best;
+}
+
+std::vector<std::size_t> clear_frontier(std::span<const TradePoint> points) {
+    std::vector<std::size_t> best;
+    for (const std::size_t i : frontier(points)) {
+        if (!best.empty() && points[i].error > (1 - error_noise) * points[best.back()].error)
+            continue;
+        while (!best.empty() && points[i].seconds < (1 + time_noise) * points[best.back()].seconds)
+            best.pop_back();
+        best.push_back(i);
+    }
+    return best;
+}
+
+std::vector<std::optional<std::size_t>> dominators(std::span<const TradePoint> points) {
+    const std::vector<std::size_t> best = clear_frontier(points);
+    std::vector<std::optional<std::size_t>> result(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::find(best.begin(), best.end(), i) != best.end()) continue;
+        // Of those that are as fast, the one with the least error.
+        for (const std::size_t b : best) {
+            if (result[i] && points[b].seconds > (1 + time_noise) * points[i].seconds) break;
+            result[i] = b;
+        }
+    }
+    return result;
+}
+
+}  // namespace lancer::judge

@@ -1,0 +1,27 @@
+// What to take for an error.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lancer::judge {
+
+struct Measurement;
+
+struct Advice {
+    double below = 0;                ///< the error
+    std::string below_text;          ///< "1/255"
+    std::optional<std::size_t> use;  ///< index of the fastest that is surely below; nothing: none
+    double times_as_fast = 1;        ///< as the exact one
+};
+
+/// For errors that people ask for, from coarse to fine. Settings are judged by the upper end of
+/// their interval.
+std::vector<Advice> advice_from(const std::vector<Measurement>& settings, std::size_t exact);
+
+/// "for an error below 1/255: `--samples 3 ...`, 7.3 times as fast as exact (RMSE 0.0031)".
+std::string sentence(const Advice& advice, const std::vector<Measurement>& settings);
+
+}  // namespace lancer::judge

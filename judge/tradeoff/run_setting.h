@@ -1,0 +1,19 @@
+// One picture by one setting, as `render` makes it, and what it cost.
+#pragma once
+
+#include "judge/tradeoff/cost.h"
+#include "judge/tradeoff/settings.h"
+
+namespace lancer::judge {
+
+struct SettingRun {
+    Image image;
+    Cost cost;  ///< the world's building included, the file's writing not
+    RayCounts rays;
+};
+
+/// Throws accuracy::Unreachable when an error cannot be reached, SceneError.
+SettingRun run_setting(const Scene& scene, const View& view, const TradeSetting& setting,
+                       const Progress& progress);
+
+}  // namespace lancer::judge

@@ -1,0 +1,292 @@
+#include "judge/tradeoff/tradeoff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "accuracy/error_target.h"
+#include "judge/report/report.h"
+#include "judge/tradeoff/combine.h"
+#include "judge/tradeoff/frontier.h"
+#include "judge/tradeoff/run_setting.h"
+
+namespace lancer::judge {
+namespace {
+
+constexpr double wanted_ratio = 3;           // of the smallest error to the truth's own
+constexpr std::uint32_t first_points = 16;   // of each half of the truth
+constexpr std::uint32_t most_points = 4096;  // of each half
+constexpr std::size_t most_combinations = 16;
+constexpr int fewest_rounds = 3;
+constexpr int most_rounds = 9;
+constexpr double short_rounds = 3;              // seconds that more rounds than the fewest may take
+constexpr std::size_t picture_bytes = 100'000;  // of one on the page
+
+class TradeOff {
+  public:
+    TradeOff(const Scene& scene, const View& view, const TradeOffOptions& options)
+        : scene_(scene),
+          view_(view),
+          options_(options),
+          turned_(turned(scene, view)),
+          limits_{turned_.uncut.max_depth, turned_.uncut.min_contribution},
+          truth_(view, limits_, scene.settings.seed) {
+        report_.view = view;
+        report_.threads = scene.settings.threads;
+        report_.truth_limits = limits_;
+    }
+
+    TradeOffReport run() {
+        begin();
+        find_truth();
+        measure_singles();
+        measure_combinations();
+        repeat();
+        finish();
+        return std::move(report_);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    bool fits(double seconds) const {
+        return options_.budget == 0 || elapsed() + seconds <= options_.budget;
+    }
+
+    /// Progress through `units` of all that is planned: rays a pixel.
+    Progress stage(const std::string& what, double units) {
+        const double before = done_;
+        done_ += units;
+        if (!options_.progress) return {};
+        return [this, what, units, before](double share) {
+            options_.progress(std::min(0.99, (before + units * share) / planned_), what);
+        };
+    }
+
+    /// Rays a pixel that a setting may take, guessed.
+    double units_of(const TradeSetting& setting) const {
+        if (!setting.max_error) return setting.points();
+        const double audits = setting.audited ? 100'000 / report_.pixels() : 0;
+        return 4 + audits + 4 * std::pow(0.01 / *setting.max_error, 4.0 / 3);
+    }
+
+    /// What a ray a pixel takes, and how much of everything there is time for.
+    void begin() {
+        unit_ = 1e300;
+        // The first may meet a busy moment, which counts in a small picture.
+        for (int look = 0; look < 3 && (look == 0 || unit_ < 0.05); ++look) {
+            const TradeSetting one = exact_setting(turned_, 1);
+            unit_ = std::min(unit_,
+                             run_setting(scene_, view_, one, stage("a first look", 1)).cost.wall);
+        }
+        double truth_units = 2 * 384.0;
+        if (options_.budget > 0) {
+            const double least = unit_ * (1 + 2 * first_points + 4);
+            if (!fits(least))
+                throw BudgetTooShort(fmt::format("even a truth and one setting take about {:.2g} s",
+                                                 elapsed() + least));
+            const double rays = options_.budget / unit_;
+            for (const int n : {6, 4, 3, 2})
+                if (samples_ * samples_ > 0.1 * rays) samples_ = n;
+            points_ = static_cast<std::uint32_t>(
+                std::clamp<double>(0.4 * rays / 2, first_points, most_points));
+            truth_units = std::min(truth_units, 2.0 * points_);
+        }
+        double once = 0;
+        for (const TradeSetting& s : single_settings(turned_, samples_)) once += units_of(s);
+        once += samples_ * samples_ + double(most_combinations) * 8;
+        planned_ = 1 + truth_units + fewest_rounds * once;
+    }
+
+    /// Errors that are asked for are undercut by a third (docs/cost-of-accuracy.md).
+    bool is_good_enough() const {
+        const double own = truth_.error();
+        const double least = std::min(report_.least_error(), 0.6 * least_asked_error);
+        return own == 0 || (report_.settings[0].error.is_told() && wanted_ratio * own <= least);
+    }
+
+    /// Until the truth's own error is a third of those of the finest settings.
+    void find_truth() {
+        const std::string key =
+            truth_key(options_.cache.content, view_, limits_, scene_.settings.seed);
+        report_.truth_cached = read_truth(options_.cache, key, truth_);
+        const std::uint32_t cached = truth_.points();
+        Scene surfaces = with_true_surfaces(scene_);
+        Settings settings = turned_.uncut;
+        settings.tolerance = std::nullopt;
+        const std::unique_ptr<Renderer> renderer = compile(surfaces, settings);
+        report_.level = name_of(renderer->level());
+        refine(*renderer, first_points);
+        // The finest on Sobol points and on a grid.
+        finest_.push_back(measure(exact_setting(turned_, samples_)).value());
+        for (const TradeSetting& s : single_settings(turned_, samples_))
+            if (s.settings.sampling == Sampling::grid && s.settings.samples == samples_ &&
+                fits(unit_ * s.points()))
+                if (std::optional<Image> image = measure(s)) finest_.push_back(std::move(*image));
+        while (!is_good_enough() && truth_.points() < points_) {
+            // By turns 1.5 and 1.33 times as many.
+            const std::uint32_t now = truth_.points();
+            const bool is_power = (now & (now - 1)) == 0;
+            const std::uint32_t next = std::min(points_, is_power ? now + now / 2 : now / 3 * 4);
+            if (!fits(2 * unit_ * (next - now))) break;
+            refine(*renderer, next);
+        }
+        if (truth_.points() > cached) write_truth(options_.cache, key, truth_);
+    }
+
+    void refine(const Renderer& renderer, std::uint32_t points) {
+        if (points > truth_.points())
+            truth_.refine(renderer, points, stage("the truth", 2.0 * (points - truth_.points())));
+        for (std::size_t i = 0; i < finest_.size(); ++i)
+            report_.settings[i].error = error_of(finest_[i], truth_);
+    }
+
+    /// Nothing when it is left out.
+    std::optional<Image> measure(const TradeSetting& setting) {
+        if (!known_.insert(setting.label + setting.options).second) return std::nullopt;
+        const double expected = units_of(setting) * unit_;
+        if (!report_.settings.empty() && !fits(expected)) {
+            leave_out(setting, "no time");
+            return std::nullopt;
+        }
+        Measurement m;
+        m.setting = setting;
+        try {
+            SettingRun run =
+                run_setting(scene_, view_, setting, stage(setting.label, units_of(setting)));
+            m.seconds.push_back(run.cost.processor);
+            walls_.push_back(run.cost.wall);
+            m.memory_bytes = run.cost.memory_bytes;
+            m.rays = run.rays;
+            m.error = error_of(run.image, truth_);
+            if (options_.with_pictures) m.png = preview_of(run.image, picture_bytes).png;
+            report_.settings.push_back(std::move(m));
+            return std::move(run.image);
+        } catch (const accuracy::Unreachable& refused) {
+            leave_out(setting, refused.what());
+            return std::nullopt;
+        }
+    }
+
+    void leave_out(const TradeSetting& setting, const std::string& why) {
+        report_.left_out.push_back({setting.label, why});
+    }
+
+    static bool cuts(Knob knob) {
+        return knob == Knob::max_depth || knob == Knob::min_contribution ||
+               knob == Knob::tolerance || knob == Knob::precision || knob == Knob::shadows ||
+               knob == Knob::smooth || knob == Knob::textures;
+    }
+
+    KnobEffect effect(std::size_t index, double cut) const {
+        const Measurement& m = report_.settings[index];
+        return {m.setting, m.median(), static_cast<double>(m.rays.rays()),
+                std::max(0.0, m.error.mean_square), cut};
+    }
+
+    void measure_singles() {
+        const TradeSetting base = base_setting(turned_, samples_);
+        const std::optional<Image> made = measure(base);
+        const Image& base_image = made ? *made : finest_[0];
+        base_ = effect(made ? report_.settings.size() - 1 : 0, 0);
+        for (std::size_t i = 0; i < report_.settings.size(); ++i) singles_.push_back(effect(i, 0));
+        measure(own_setting(turned_));
+        std::set<Knob> without_effect;  // what is finer still has none either
+        for (const TradeSetting& setting : single_settings(turned_, samples_)) {
+            if (without_effect.contains(setting.knob)) continue;
+            const std::optional<Image> image = measure(setting);
+            if (!image) continue;
+            const bool is_cut = cuts(setting.knob);
+            const double cut = is_cut ? mean_square_between(*image, base_image) : 0;
+            singles_.push_back(effect(report_.settings.size() - 1, cut));
+            if (is_cut && cut == 0 && setting.knob != Knob::precision)
+                without_effect.insert(setting.knob);
+        }
+        finest_.clear();
+    }
+
+    void measure_combinations() {
+        for (const TradeSetting& setting : promising(turned_, base_, singles_, most_combinations))
+            measure(setting);
+    }
+
+    /// Again through all, so that what slows the machine for a while slows all alike.
+    void repeat() {
+        double once = 0;
+        for (const double wall : walls_) once += wall;
+        const int rounds = std::clamp(static_cast<int>(short_rounds / std::max(once, 1e-3)),
+                                      fewest_rounds, most_rounds);
+        for (int round = 1; round < rounds; ++round) {
+            if (!fits(1.1 * once)) {
+                if (round < fewest_rounds)
+                    report_.left_out.push_back(
+                        {"more rounds", fmt::format("no time; times are of {}", round)});
+                return;
+            }
+            for (Measurement& m : report_.settings) {
+                const SettingRun run = run_setting(scene_, view_, m.setting,
+                                                   stage(m.setting.label, units_of(m.setting)));
+                m.seconds.push_back(run.cost.processor);
+            }
+        }
+    }
+
+    void finish() {
+        std::vector<TradePoint> points;
+        for (const Measurement& m : report_.settings)
+            points.push_back({m.median(), m.error.counted()});
+        const std::vector<std::optional<std::size_t>> beaten = dominators(points);
+        for (std::size_t i = 0; i < points.size(); ++i) report_.settings[i].beaten_by = beaten[i];
+        report_.advice = advice_from(report_.settings, report_.exact);
+        report_.truth_points = 2 * truth_.points();
+        report_.truth_error = truth_.error();
+        if (options_.with_pictures)
+            report_.truth_png = preview_of(truth_.image(), picture_bytes).png;
+        report_.seconds = elapsed();
+    }
+
+    const Scene& scene_;
+    const View& view_;
+    const TradeOffOptions& options_;
+    const TurnedScene turned_;
+    const TraceLimits limits_;
+    TruePicture truth_;
+    TradeOffReport report_;
+    Clock::time_point begin_ = Clock::now();
+    double unit_ = 0;                     ///< seconds of a ray a pixel
+    int samples_ = 8;                     ///< of the exact setting, each way
+    std::uint32_t points_ = most_points;  ///< of each half of the truth, at most
+    double planned_ = 1;                  ///< rays a pixel
+    double done_ = 0;
+    std::vector<Image> finest_;  ///< pictures of the first settings
+    std::vector<double> walls_;
+    KnobEffect base_;
+    std::vector<KnobEffect> singles_;
+    std::set<std::string> known_;
+};
+
+}  // namespace
+
+double Measurement::median() const {
+    std::vector<double> sorted = seconds;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t half = sorted.size() / 2;
+    if (sorted.empty()) return 0;
+    return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+double TradeOffReport::least_error() const {
+    double least = 1e300;
+    for (const Measurement& m : settings)
+        if (m.error.is_told()) least = std::min(least, m.error.rmse);
+    return settings.empty() || least == 1e300 ? 0 : least;
+}
+
+TradeOffReport trade_off(const Scene& scene, const View& view, const TradeOffOptions& options) {
+    return TradeOff(scene, view, options).run();
+}
+
+}  // namespace lancer::judge

@@ -1,0 +1,76 @@
+// What each knob costs and brings on one scene.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "judge/tradeoff/measured_error.h"
+#include "judge/tradeoff/recommend.h"
+#include "judge/tradeoff/settings.h"
+#include "judge/tradeoff/truth_cache.h"
+
+namespace lancer::judge {
+
+struct TradeOffOptions {
+    double budget = 0;  ///< wall-clock seconds for all; 0: as long as it takes
+    TruthCache cache;
+    bool with_pictures = false;  ///< keep each setting's picture
+    /// The share that is done, and what is being done.
+    std::function<void(double share, const std::string& what)> progress;
+};
+
+/// One setting as it turned out.
+struct Measurement {
+    TradeSetting setting;
+    std::vector<double> seconds;  ///< of the processor, one a run
+    RayCounts rays;
+    std::optional<std::uint64_t> memory_bytes;
+    MeasuredError error;
+    std::string png;                       ///< its picture, if it was wanted
+    std::optional<std::size_t> beaten_by;  ///< index; nothing: on the frontier
+
+    double median() const;
+};
+
+struct LeftOut {
+    std::string setting;  ///< its label
+    std::string why;
+};
+
+struct TradeOffReport {
+    std::string scene;  ///< its name
+    View view;
+    int threads = 0;
+    std::string level;  ///< of rays side by side
+    std::vector<Measurement> settings;
+    std::size_t exact = 0;  ///< index of the exact one
+    std::vector<Advice> advice;
+    std::vector<LeftOut> left_out;
+    TraceLimits truth_limits;
+    std::uint32_t truth_points = 0;  ///< a pixel, both halves
+    double truth_error = 0;          ///< RMSE
+    bool truth_cached = false;       ///< at least in part
+    std::string truth_png;           ///< if pictures were wanted
+    double seconds = 0;              ///< wall-clock, of all
+
+    int width() const { return view.crop ? view.crop->width : view.width; }
+    int height() const { return view.crop ? view.crop->height : view.height; }
+    double pixels() const { return static_cast<double>(width()) * height(); }
+    /// The smallest error that is told.
+    double least_error() const;
+};
+
+/// No time for even the truth and one setting; the message says what that takes.
+struct BudgetTooShort : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Turns each knob alone and then what promises something together, against a truth that is
+/// refined until its own error is a third of the smallest to be expected. Times are medians of
+/// rounds through all settings. `scene.settings` says threads (not 0) and seed. Throws
+/// BudgetTooShort, SceneError.
+TradeOffReport trade_off(const Scene& scene, const View& view, const TradeOffOptions& options);
+
+}  // namespace lancer::judge

@@ -1,0 +1,23 @@
+// What settings cost and bring: as a table with advice, and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "judge/tradeoff/tradeoff.h"
+
+namespace lancer::judge {
+
+/// For people: one line a setting, from fast to slow, then the advice and what was left out.
+std::string tradeoff_text(const TradeOffReport& report);
+
+/// Everything. Ends with a line feed. docs/command-line.md has the keys.
+std::string tradeoff_json(const std::vector<TradeOffReport>& reports);
+
+/// "0.0031 (0.0030 to 0.0032)" or, where the truth cannot tell it, "below 0.0002".
+std::string error_text(const MeasuredError& error);
+
+/// Indices of the settings from fast to slow.
+std::vector<std::size_t> by_time(const TradeOffReport& report);
+
+}  // namespace lancer::judge
