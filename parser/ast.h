@@ -46,6 +46,15 @@ enum class Op : std::uint8_t {
     or_end,
     choose,  ///< condition false: jump to the third operand
     jump,    ///< after the second operand: past the third
+    // Lists that are computed: the elements gather on the stack.
+    gather,        ///< payload: the count of elements before the first computed one
+    bound,         ///< refuses what is no whole number
+    each_number,   ///< from, to -> an iteration; payload: the variable, and the step after its end
+    each_element,  ///< list -> an iteration; the same payload
+    only_if,       ///< condition false: jump
+    keep,          ///< counts an element
+    again,         ///< the variable's next value: jump back; after the last: end of the iteration
+    gathered,      ///< the elements since `gather` -> list
 };
 
 struct Step {
@@ -124,6 +133,7 @@ struct File {
     std::vector<Statement> statements;  ///< bodies before the statement that owns them
     Range body;                         ///< the file's own statements
     std::vector<Comment> comments;      ///< in the order of the text
+    std::vector<Symbol> variables;      ///< of lists that are computed
 
     SourceSpan span(std::uint32_t offset, std::uint32_t length) const {
         return {source, offset, length};

@@ -70,7 +70,7 @@ class Builder {
         const char* at = nullptr;
         std::size_t building = 0, pending = 0, contexts = 0, arguments = 0, steps = 0,
                     operators = 0, bases = 0, branches = 0, counts = 0, brackets = 0, labels = 0,
-                    callees = 0, values = 0, else_marks = 0;
+                    callees = 0, values = 0, else_marks = 0, clauses = 0, computed = 0;
         std::uint64_t nesting = 0;
     };
     Mark mark(const char* at) const;
@@ -90,7 +90,7 @@ class Builder {
     void plain_name();
     void open_bracket(const char* at);
     void open_list(const char* at);
-    void element() { ++counts_.back(); }
+    void element();
     void label(const char* begin, const char* end);
     void end_labelled();
     void end_list(const char* end);
@@ -107,6 +107,16 @@ class Builder {
     void end_alternatives();
     void begin_value(const char* at);
     void end_value();
+    // builder_computed.cpp
+    void begin_computed(const char* at);
+    void each_word(const char* begin, const char* end);
+    void each_variable(const char* begin, const char* end);
+    void each_from();
+    void each_range();
+    void each_list();
+    void only_if();
+    void end_clause_value() { last_value_ = take_value(); }
+    void end_computed();
 
     // --- Told by actions: statements
 
@@ -146,6 +156,21 @@ class Builder {
         std::size_t pending = 0;
     };
 
+    /// What stands in brackets so far.
+    struct Listed {
+        std::uint32_t count = 0;
+        bool gathers = false;  ///< some of it is computed
+    };
+    /// `for` or `if` of a list that is computed.
+    struct Clause {
+        ast::Step word;
+        Symbol variable = no_symbol;  ///< none: an `if`
+        std::uint32_t step = 0;       ///< whose payload is to be completed
+    };
+
+    ast::Expression take_value();
+    void emit_each(ast::Op op, const ast::Expression& place);
+    void emit_of(ast::Op op, const ast::Expression& place);
     void deeper(const char* at);
     void emit(ast::Op op, const char* begin, const char* end, std::uint64_t payload);
     void pop_operator();
@@ -178,7 +203,9 @@ class Builder {
     std::vector<PendingOperator> operators_;
     std::vector<std::size_t> bases_;
     std::vector<std::uint32_t> branches_;
-    std::vector<std::uint32_t> counts_;
+    std::vector<Listed> counts_;
+    std::vector<Clause> clauses_;
+    std::vector<std::size_t> computed_;  ///< the first clause of each
     std::vector<const char*> brackets_;
     std::vector<ast::Argument> labels_;
     std::vector<ast::Step> callees_;

@@ -100,7 +100,7 @@ void Builder::open_bracket(const char* at) {
 
 void Builder::open_list(const char* at) {
     brackets_.push_back(at);
-    counts_.push_back(0);
+    counts_.emplace_back();
 }
 
 void Builder::label(const char* begin, const char* end) {
@@ -117,7 +117,8 @@ void Builder::end_labelled() {
 }
 
 void Builder::end_list(const char* end) {
-    emit(Op::list, brackets_.back(), end, counts_.back());
+    const Listed& listed = counts_.back();
+    emit(listed.gathers ? Op::gathered : Op::list, brackets_.back(), end, listed.count);
     brackets_.pop_back();
     counts_.pop_back();
 }
@@ -125,7 +126,7 @@ void Builder::end_list(const char* end) {
 void Builder::end_call(const char* end) {
     ast::Step call = callees_.back();
     call.op = Op::call;
-    call.payload = pair(call.payload, counts_.back());
+    call.payload = pair(call.payload, counts_.back().count);
     file_.steps.push_back(call);
     last_end_ = end;
     callees_.pop_back();
@@ -216,12 +217,17 @@ void Builder::begin_value(const char* at) {
     last_end_ = at;
 }
 
+ast::Expression Builder::take_value() {
+    ast::Expression value = values_.back();
+    values_.pop_back();
+    value.end = static_cast<std::uint32_t>(file_.steps.size());
+    value.length = offset_of(last_end_) - value.offset;
+    return value;
+}
+
 void Builder::end_value() {
     using Kind = ast::Statement::Kind;
-    last_value_ = values_.back();
-    values_.pop_back();
-    last_value_.end = static_cast<std::uint32_t>(file_.steps.size());
-    last_value_.length = offset_of(last_end_) - last_value_.offset;
+    last_value_ = take_value();
     if (building_.empty()) return;
     ast::Statement& statement = building_.back();
     switch (statement.kind) {

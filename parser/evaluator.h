@@ -111,6 +111,15 @@ class Evaluator {
         const ast::Statement* function = nullptr;  ///< its parameters' places are below `bottom`
         std::uint32_t parameter = 0;               ///< the next to be bound
         Scopes::Caller caller;
+        std::size_t iterations = 0, gathers = 0;  ///< below those that it opened
+    };
+
+    /// A `for` of a list that is computed. Its variable is in a scope of its own.
+    struct Iteration {
+        Value list;
+        double start = 0;  ///< of a range
+        std::uint64_t position = 0, count = 0;
+        bool is_range = false;
     };
 
     /// The name of an argument on the stack.
@@ -135,6 +144,7 @@ class Evaluator {
     void execute_let(const ast::File& file, const ast::Statement& statement);
     void execute_param(const ast::File& file, const ast::Statement& statement);
     void execute_loop(const ast::File& file, const ast::Statement& statement);
+    bool is_bound(const Value& value, const SourceSpan& place);
     bool next_iteration(Frame& frame);
     void execute_choice(const ast::File& file, const ast::Statement& statement);
     void execute_assertion(const ast::File& file, const ast::Statement& statement);
@@ -167,7 +177,18 @@ class Evaluator {
     SourceSpan place_of_definition(const SourceSpan& use, Symbol name) const;
     void report_undefined(Message message, const SourceSpan& place, Symbol name, bool functions);
 
+    // computed_lists.cpp
+    void take_list_step(Run& run, const ast::Step& step);
+    void begin_iteration(Run& run, const ast::Step& step, Iteration iteration);
+    void go_on(Run& run, const ast::Step& step);
+    void only_if(Run& run, const ast::Step& step);
+    void end_iterations(std::size_t most);
+    void push_list(std::size_t first, const SourceSpan& place);
+    void check_held(const SourceSpan& place);
+
     // expressions.cpp
+    Run begin_run(const ast::File& file, const ast::Expression& expression) const;
+    const Value& literal(Symbol symbol);
     void take(Run& run, const ast::Step& step);
     void give_up(Run& run);
     Value pop();
@@ -199,6 +220,9 @@ class Evaluator {
     std::vector<Value> stack_;
     std::vector<Run> runs_;      ///< that wait for a function they called
     std::vector<Label> labels_;  ///< of arguments on the stack
+    std::vector<Iteration> iterations_;
+    std::vector<std::size_t> gathers_;  ///< where on the stack the elements of each list begin
+    std::vector<Value> literals_;       ///< strings by symbol, so that each is made once
     std::vector<Frame> frames_;
     std::vector<Group> groups_;
     std::uint32_t group_ = none;  ///< the one whose properties may stand here

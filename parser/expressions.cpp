@@ -28,7 +28,54 @@ static Value color_value(std::uint32_t rgb) {
 void Evaluator::give_up(Run& run) {
     stack_.resize(run.bottom);
     drop_labels(run.bottom);
+    end_iterations(run.iterations);
+    gathers_.resize(run.gathers);
     run.at = run.end;
+}
+
+/// What most operators meet: two numbers, with a result that is finite. The left one becomes it.
+static bool operate_on_numbers(Op op, Value& left, const Value& right) {
+    if (!left.is_number() || !right.is_number()) return false;
+    double result = 0;
+    switch (op) {
+        case Op::add:
+            result = left.number() + right.number();
+            break;
+        case Op::subtract:
+            result = left.number() - right.number();
+            break;
+        case Op::multiply:
+            result = left.number() * right.number();
+            break;
+        case Op::divide:
+            if (right.number() == 0) return false;
+            result = left.number() / right.number();
+            break;
+        default:
+            return false;
+    }
+    if (!std::isfinite(result)) return false;
+    left = Value(result);
+    return true;
+}
+
+Evaluator::Run Evaluator::begin_run(const ast::File& file,
+                                    const ast::Expression& expression) const {
+    Run run;
+    run.file = &file;
+    run.at = expression.begin;
+    run.end = expression.end;
+    run.bottom = stack_.size();
+    run.iterations = iterations_.size();
+    run.gathers = gathers_.size();
+    return run;
+}
+
+/// A string of the text, which all that have it share.
+const Value& Evaluator::literal(Symbol symbol) {
+    if (literals_.size() <= symbol) literals_.resize(symbol + 1);
+    if (literals_[symbol].is_broken()) literals_[symbol] = Value(std::string(text(symbol)));
+    return literals_[symbol];
 }
 
 Value Evaluator::evaluate(const ast::File& file, const ast::Expression& expression) {
@@ -36,11 +83,7 @@ Value Evaluator::evaluate(const ast::File& file, const ast::Expression& expressi
         const ast::Step& only = file.steps[expression.begin];
         if (only.op == Op::number) return Value(only.number());
     }
-    Run run;
-    run.file = &file;
-    run.at = expression.begin;
-    run.end = expression.end;
-    run.bottom = stack_.size();
+    Run run = begin_run(file, expression);
     for (;;) {
         while (run.at < run.end) take(run, run.file->steps[run.at++]);
         Value result = stack_.size() > run.bottom ? pop() : Value();
@@ -56,7 +99,7 @@ void Evaluator::take(Run& run, const ast::Step& step) {
             stack_.emplace_back(step.number());
             break;
         case Op::text:
-            stack_.emplace_back(std::string(text(step.low())));
+            stack_.push_back(literal(step.low()));
             break;
         case Op::yes:
             stack_.emplace_back(true);
@@ -79,17 +122,7 @@ void Evaluator::take(Run& run, const ast::Step& step) {
         case Op::list: {
             const auto count = static_cast<std::size_t>(step.payload);
             meter_.elements(count, file.span(step));
-            const auto first = stack_.end() - static_cast<std::ptrdiff_t>(count);
-            const bool wrong =
-                std::any_of(first, stack_.end(), [](const Value& v) { return v.is_broken(); });
-            Value list(std::vector<Value>(std::make_move_iterator(first),
-                                          std::make_move_iterator(stack_.end())));
-            stack_.erase(first, stack_.end());
-            if (list.depth() > meter_.limits().nesting) {
-                report_.error(Message::list_depth, file.span(step), meter_.limits().nesting);
-                list = Value();
-            }
-            stack_.push_back(wrong ? Value() : std::move(list));
+            push_list(stack_.size() - count, file.span(step));
             break;
         }
         case Op::index: {
@@ -139,7 +172,21 @@ void Evaluator::take(Run& run, const ast::Step& step) {
         case Op::jump:
             run.at = step.low();
             break;
+        case Op::gather:
+        case Op::bound:
+        case Op::each_number:
+        case Op::each_element:
+        case Op::only_if:
+        case Op::keep:
+        case Op::again:
+        case Op::gathered:
+            take_list_step(run, step);
+            break;
         default: {  // an operator with two sides
+            if (operate_on_numbers(step.op, stack_[stack_.size() - 2], stack_.back())) {
+                stack_.pop_back();
+                break;
+            }
             const Value right = pop();
             const Value left = pop();
             stack_.push_back(

@@ -24,10 +24,10 @@ static std::string count_text(std::size_t least, std::size_t most) {
 /// `sin(90)`: an angle that can only be meant in degrees, as a number written in place.
 void Evaluator::warn_of_degrees(const ast::File& file, const ast::Step& call,
                                 std::string_view function) {
-    if (function != "sin" && function != "cos" && function != "tan") return;
-    constexpr double least = 10;
     const ast::Step& argument = (&call)[-1];
     if (argument.op != Op::number) return;
+    if (function != "sin" && function != "cos" && function != "tan") return;
+    constexpr double least = 10;
     const double angle = argument.number();
     if (std::abs(angle) < least || angle != std::floor(angle)) return;
     const std::string degrees = to_text(angle);
@@ -43,7 +43,8 @@ Value Evaluator::apply_function(const Function& function, const ast::File& file,
     const std::size_t count = step.high();
     const SourceSpan place = file.span(step);
     const auto arguments = std::span<const Value>(stack_).last(count);
-    bool good = true;
+    bool good = std::none_of(arguments.begin(), arguments.end(),
+                             [](const Value& v) { return v.is_broken(); });
     for (const Label& label : labels_of_call(count)) {
         report_.error(Message::named_to_function, file.span(*label.step));
         good = false;
@@ -53,9 +54,7 @@ Value Evaluator::apply_function(const Function& function, const ast::File& file,
                       count_text(function.least, function.most), count);
         good = false;
     }
-    if (!good || std::any_of(arguments.begin(), arguments.end(),
-                             [](const Value& v) { return v.is_broken(); }))
-        return {};
+    if (!good) return {};
     warn_of_degrees(file, step, function.name);
     Value result = function.apply(function.name, arguments, {report_, meter_, place});
     if (is_finite_value(result)) return result;
@@ -161,10 +160,8 @@ void Evaluator::begin_call(Run& run, const ast::Step& call, const Binding& calle
     const SourceSpan place = run.file->span(call);
     enter_call(place, text(callee.name));
     meter_.statement(place);
-    Run body;
-    body.file = callee.file;
+    Run body = begin_run(*callee.file, callee.definition->value);
     body.function = callee.definition;
-    body.bottom = stack_.size();
     body.caller = scopes_.enter(callee);
     mark_executed(*body.file,
                   static_cast<std::uint32_t>(body.function - body.file->statements.data()));

@@ -6,7 +6,7 @@
 
 #include "model/math.h"
 #include "model/srgb.h"
-#include "model/utf8.h"
+#include "parser/list_functions.h"
 #include "parser/random.h"
 
 namespace lancer {
@@ -201,8 +201,7 @@ Value cross_of(std::string_view name, Arguments a, const Site& site) {
 
 Value len(std::string_view name, Arguments a, const Site& site) {
     if (a[0].is_list()) return Value(static_cast<double>(a[0].size()));
-    if (a[0].is(Value::Kind::text))
-        return Value(static_cast<double>(count_characters(a[0].text())));
+    if (a[0].is(Value::Kind::text)) return Value(static_cast<double>(a[0].characters()));
     return takes(name, "a list or a string", a[0], site);
 }
 
@@ -302,6 +301,14 @@ constexpr Function functions[] = {
     {"str", 1, 1, "x", "a value as a string", str},
     {"range", 2, 3, "a, b, step",
      "the list a, a + step, a + 2 step, ... while it is before b; step is 1", range},
+    {"concat", 1, any_count, "a, ...", "the elements of all these lists in one", concat_lists},
+    {"reverse", 1, 1, "list", "the elements from the last to the first", reverse_list},
+    {"slice", 2, 3, "x, from, to",
+     "of a list or string what stands from index `from` on and before `to`; to is len(x)", slice},
+    {"last", 1, 1, "x", "the last element of a list, or character of a string", last_element},
+    {"sum", 1, 1, "list",
+     "of numbers, or of vectors component by component; rounding errors are carried along",
+     sum_list},
 };
 
 constexpr Constant constants[] = {

@@ -82,10 +82,31 @@ struct close_round_needed  : p::one<')'> {};
 struct element             : p::seq<expression> {};
 struct element_needed      : p::seq<element> {};
 struct list_close          : p::one<']'> {};
+
+struct clause_value        : p::seq<value_begin, expression> {};
+struct clause_value_needed : p::seq<clause_value> {};
+struct each_word           : word<TAO_PEGTL_STRING("for")> {};
+struct each_variable       : p::seq<name> {};
+struct each_variable_needed: p::seq<each_variable> {};
+struct each_in_needed      : p::seq<in_word> {};
+struct each_from           : p::two<'.'> {};   // what stands before it is a bound
+struct each_range          : p::seq<each_from, ws, p::must<clause_value_needed>> {};
+struct each_list           : p::success {};
+struct each                : p::seq<each_word, ws, p::must<each_variable_needed>, ws, p::must<each_in_needed>,
+                                    ws, p::must<clause_value_needed>, p::sor<each_range, each_list>> {};
+struct only_word           : word<TAO_PEGTL_STRING("if")> {};
+struct only                : p::seq<only_word, ws, p::must<clause_value_needed>> {};
+struct computed_begin      : p::at<each_word> {};
+struct computed_colon_needed : p::one<':'> {};
+struct computed            : p::seq<computed_begin, p::plus<p::sor<each, only>>,
+                                    p::must<computed_colon_needed>, ws, p::must<expression_needed>> {};
+
+struct list_item           : p::sor<computed, element> {};
+struct list_item_needed    : p::seq<list_item> {};
 struct list                : p::seq<open_square, ws,
                                  p::sor<list_close,
-                                        p::seq<p::must<element_needed>,
-                                               p::star<comma, p::must<element_needed>>,
+                                        p::seq<p::must<list_item_needed>,
+                                               p::star<comma, p::must<list_item_needed>>,
                                                p::must<close_square_needed>>>> {};
 
 struct paren_open          : p::one<'('> {};

@@ -15,6 +15,9 @@ inline constexpr std::string_view callables =
     "what has a value is 'func name(a, b) = ...', statements with parameters are "
     "'def name(a, b) { ... }'";
 
+/// How a list is computed here.
+inline constexpr std::string_view computed = "[for i in 0..10 if i % 2 == 0: i * i]";
+
 /// A word that begins a statement elsewhere and that is followed by something other than a value:
 /// `while x < 3 {`, `elif`, `function f() {`.
 bool begins_foreign_statement(std::string_view word);

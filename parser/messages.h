@@ -25,6 +25,7 @@ namespace lancer {
     M(expected_index_close,   "expected ']' after the index, found {}") \
     M(expected_paren_close,   "expected ')', found {}") \
     M(expected_colon,         "expected ':' and what is chosen otherwise, found {}") \
+    M(expected_element,       "expected ':' and the element that is computed, found {}") \
     M(expected_name,          "expected a name, found {}") \
     M(name_reserved,          "'{}' is a word of the language and cannot be a name") \
     M(expected_equals,        "expected '=', found {}") \
@@ -71,7 +72,8 @@ namespace lancer {
     M(vector_sizes,           "'{}' of vectors with {} and {} components") \
     M(condition_type,         "{} takes true or false, not {}") \
     M(index_type,             "an index is a whole number, not {}") \
-    M(index_range,            "index {} is out of range: the list has {}") \
+    M(index_range,            "index {} is out of range: the {} has {}") \
+    M(slice_range,            "from {} to {} is out of range: the {} has {}") \
     M(not_a_list,             "{} has no elements") \
     M(no_member,              "{} has no component '{}'") \
     M(list_depth,             "lists nested more than {} levels deep") \
@@ -87,6 +89,7 @@ namespace lancer {
     M(statement_limit,        "more than {} statements executed") \
     M(call_limit,             "more than {} nested calls and includes") \
     M(element_limit,          "more than {} list elements made") \
+    M(held_limit,             "lists of more than {} bytes at one time") \
     M(text_limit,             "more than {} bytes of strings made") \
     M(object_limit,           "more than {} {}") \
     /* Blocks */ \

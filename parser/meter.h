@@ -22,6 +22,10 @@ class Meter {
             stop(Message::element_limit, place, limits_.list_elements);
         elements_ += count;
     }
+    /// Bytes of lists and strings at one time.
+    void held(std::uint64_t bytes, const SourceSpan& place) {
+        if (bytes > limits_.held_bytes) stop(Message::held_limit, place, limits_.held_bytes);
+    }
     /// Bytes of strings and printed lines.
     void text(std::uint64_t bytes, const SourceSpan& place) {
         if (bytes > limits_.text_bytes - text_)

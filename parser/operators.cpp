@@ -219,9 +219,34 @@ Value apply_unary(Op op, const Value& a, const Site& site) {
     return {};
 }
 
+std::uint64_t size_of(const Value& value) {
+    return value.is(Value::Kind::text) ? value.characters() : value.size();
+}
+
+Value characters_of(const Value& text, std::uint64_t from, std::uint64_t count, const Site& site) {
+    const std::string_view all = text.text();
+    std::size_t begin = from;
+    std::size_t end = from + count;
+    if (text.characters() != all.size()) {
+        // Some take several bytes: they are looked for from the start, which counts as reading.
+        site.meter.elements(from + count, site.place);
+        const auto after = [&](std::size_t at, std::uint64_t steps) {
+            for (; steps > 0; --steps) do
+                    ++at;
+                while (at < all.size() && (static_cast<unsigned char>(all[at]) & 0xC0) == 0x80);
+            return at;
+        };
+        begin = after(0, from);
+        end = after(begin, count);
+    }
+    site.meter.text(end - begin, site.place);
+    return Value(std::string(all.substr(begin, end - begin)));
+}
+
 Value element_at(const Value& list, const Value& index, const Site& site) {
     if (list.is_broken() || index.is_broken()) return {};
-    if (!list.is_list()) {
+    const bool text = list.is(Value::Kind::text);
+    if (!text && !list.is_list()) {
         site.report.error(Message::not_a_list, site.place, kind_name(list));
         return {};
     }
@@ -229,13 +254,15 @@ Value element_at(const Value& list, const Value& index, const Site& site) {
         site.report.error(Message::index_type, site.place, describe(index));
         return {};
     }
-    if (index.number() < 0 || index.number() >= static_cast<double>(list.size())) {
+    const std::uint64_t size = size_of(list);
+    if (index.number() < 0 || index.number() >= static_cast<double>(size)) {
         site.report.error(
-            Message::index_range, site.place, to_text(index.number()),
-            list.size() == 1 ? "1 element" : std::to_string(list.size()) + " elements");
+            Message::index_range, site.place, to_text(index.number()), text ? "string" : "list",
+            std::to_string(size) + (text ? " character" : " element") + (size == 1 ? "" : "s"));
         return {};
     }
-    return list.at(static_cast<std::uint64_t>(index.number()));
+    const auto at = static_cast<std::uint64_t>(index.number());
+    return text ? characters_of(list, at, 1, site) : list.at(at);
 }
 
 Value component_of(const Value& vector, unsigned component, const Site& site) {

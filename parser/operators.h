@@ -20,6 +20,12 @@ Value apply_binary(ast::Op op, const Value& a, const Value& b, const Site& site)
 /// `-a` or `!a`.
 Value apply_unary(ast::Op op, const Value& a, const Site& site);
 /// `list[index]`.
+/// How many elements a list has, or characters a string.
+std::uint64_t size_of(const Value& value);
+
+/// Characters of a string that has them.
+Value characters_of(const Value& text, std::uint64_t from, std::uint64_t count, const Site& site);
+
 Value element_at(const Value& list, const Value& index, const Site& site);
 /// `v.x`, `v.y`, `v.z` for 0, 1, 2.
 Value component_of(const Value& vector, unsigned component, const Site& site);

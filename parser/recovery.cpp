@@ -57,6 +57,8 @@ Builder::Mark Builder::mark(const char* at) const {
             callees_.size(),
             values_.size(),
             else_marks_.size(),
+            clauses_.size(),
+            computed_.size(),
             nesting_};
 }
 
@@ -167,6 +169,8 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     callees_.resize(mark.callees);
     values_.resize(mark.values);
     else_marks_.resize(mark.else_marks);
+    clauses_.resize(mark.clauses);
+    computed_.resize(mark.computed);
     nesting_ = mark.nesting;
     if (error.message == Message::comment_not_closed) return text_.data() + text_.size();
 
@@ -202,7 +206,9 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
                 if (past && braces == 0) return text_.data() + token.begin;
                 braces -= braces > 0;
                 if (braces == 0 && token.end > stop) {
-                    const Token next = scan::next_token(text_, token.end);
+                    Token next = scan::next_token(text_, token.end);
+                    for (; brackets > 0 && next.kind == Token::Kind::close; --brackets)
+                        next = scan::next_token(text_, next.end);
                     if (text_.substr(next.begin, next.end - next.begin) != "else")
                         return text_.data() + next.begin;
                 }
@@ -211,6 +217,10 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
                 if (!past || braces > 0) break;
                 if (whole_line && !scan::is_first_on_line(text_, token.begin)) break;
                 const std::string_view word = text_.substr(token.begin, token.end - token.begin);
+                // Within brackets these belong to a list that is computed.
+                if (brackets > 0 && (word == "for" || word == "if") &&
+                    !scan::is_first_on_line(text_, token.begin))
+                    break;
                 if (scan::begins_statement(word)) return text_.data() + token.begin;
                 if (scan::is_reserved(word)) break;
                 const Token next = scan::next_token(text_, token.end);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "parser/ast.h"
@@ -36,6 +37,8 @@ class Scopes {
 
     /// Adds to the innermost scope. The name must be new there: see find_here().
     void bind(Binding binding);
+    /// A new value for the newest binding of all, which is the innermost scope's.
+    void rebind(Value value) { bindings_.back().value = std::move(value); }
     /// What a name means here; nullptr: nothing. Holds until the next bind() or close().
     const Binding* find(Symbol name) const;
     /// The template or function that a call of this name means here.

@@ -179,6 +179,17 @@ void Evaluator::execute_choice(const ast::File& file, const ast::Statement& stat
         file_level;
 }
 
+/// Whether a range may begin or end there; if not, that is reported.
+bool Evaluator::is_bound(const Value& value, const SourceSpan& place) {
+    constexpr double most = 9007199254740992.0;  // beyond 2^53 not every number is there
+    if (value.is_broken()) return false;
+    if (value.is_number() && value.number() == std::floor(value.number()) &&
+        std::abs(value.number()) <= most)
+        return true;
+    report_.error(Message::range_bound, place, describe(value));
+    return false;
+}
+
 void Evaluator::execute_loop(const ast::File& file, const ast::Statement& statement) {
     Value from = evaluate(file, statement.value);
     Value to;
@@ -186,17 +197,8 @@ void Evaluator::execute_loop(const ast::File& file, const ast::Statement& statem
     if (is_range) {
         const ast::Expression& end = file.arguments[statement.arguments.begin].value;
         to = evaluate(file, end);
-        const auto whole = [&](const Value& v, const ast::Expression& e) {
-            constexpr double most = 9007199254740992.0;  // beyond 2^53 not every number is there
-            if (v.is_broken()) return false;
-            if (v.is_number() && v.number() == std::floor(v.number()) &&
-                std::abs(v.number()) <= most)
-                return true;
-            report_.error(Message::range_bound, file.span(e), describe(v));
-            return false;
-        };
-        const bool good = whole(from, statement.value);
-        if (!whole(to, end) || !good) return;
+        const bool good = is_bound(from, file.span(statement.value));
+        if (!is_bound(to, file.span(end)) || !good) return;
     } else if (from.is_broken()) {
         return;
     } else if (!from.is_list()) {

@@ -211,7 +211,8 @@ std::string Builder::hint_for(const SyntaxError& error) const {
             }
             return value_hint(at);
         case Message::expected_expression:
-            return value_hint(at);
+            return found == "if" ? "a choice within a value is 'condition ? one : other'"
+                                 : value_hint(at);
         case Message::expected_statement:
             return found == "'" ? value_hint(at) : "";
         case Message::expected_paren_close:
@@ -221,6 +222,10 @@ std::string Builder::hint_for(const SyntaxError& error) const {
             return found == "," ? "brackets behind a name take one element of a list, by one number"
                                 : "";
         case Message::expected_close:
+            if (found == "for" && *brackets_.back() == '[')
+                return "a computed list begins with its 'for': " + std::string(habits::computed);
+            if (found == ":" && *brackets_.back() == '[')
+                return "numbers in a row are '0..10' behind 'in', or range(0, 10, 1)";
             if (unit) return std::string(habits::about_unit(found));
             return token.kind == Token::Kind::number || token.kind == Token::Kind::name ||
                            token.kind == Token::Kind::string
@@ -238,8 +243,12 @@ std::string Builder::hint_for(const SyntaxError& error) const {
                        ? "a param has a value, which -D on the command line replaces: 'param " +
                              std::string(symbols_.text(building_.back().name)) + " = 1'"
                        : "";
+        case Message::expected_element:
+            return "a computed list is written " + std::string(habits::computed);
         case Message::expected_name:
         case Message::expected_in:
+            if (!computed_.empty())
+                return "a computed list is written " + std::string(habits::computed);
             return !building_.empty() && building_.back().kind == Kind::loop
                        ? "a loop is written 'for i in 0..10 { ... }' or 'for x in list { ... }'"
                        : "";

@@ -20,6 +20,7 @@ void Evaluator::mark_executed(const ast::File& file, std::uint32_t statement) {
 void Evaluator::collect_names(const ast::File& file) {
     for (const ast::Statement& statement : file.statements) declared_.insert(statement.name);
     for (const ast::Argument& argument : file.arguments) declared_.insert(argument.name);
+    declared_.insert(file.variables.begin(), file.variables.end());
 }
 
 /// `lone_word`: the expression may be one word of a property that takes words.

@@ -3,15 +3,53 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
+
+#include "model/utf8.h"
 
 namespace lancer {
 
+namespace {
+
+thread_local std::uint64_t held = 0;
+
+constexpr std::uint64_t of_allocation = 16;  // what the heap needs beside it
+
+}  // namespace
+
 struct Text {
+    explicit Text(std::string content) : text(std::move(content)) { held += bytes(); }
+    ~Text() { held -= bytes(); }
+    Text(const Text&) = delete;
+    Text& operator=(const Text&) = delete;
+
+    std::uint64_t bytes() const { return sizeof(Text) + of_allocation + text.capacity(); }
+
     std::uint64_t uses = 1;
+    std::uint64_t characters = 0;  ///< counted when asked for; 0: not yet
     std::string text;
 };
 
 struct List {
+    explicit List(std::vector<double> all) : size(all.size()), numbers(std::move(all)) {
+        held += bytes();
+    }
+    explicit List(std::vector<Value> all) : size(all.size()), items(std::move(all)) {
+        for (const Value& v : items) depth = std::max(depth, v.depth() + 1);
+        held += bytes();
+    }
+    List(double from, double by, std::uint64_t count) : size(count), start(from), step(by) {
+        held += bytes();
+    }
+    ~List() { held -= bytes(); }
+    List(const List&) = delete;
+    List& operator=(const List&) = delete;
+
+    std::uint64_t bytes() const {
+        return sizeof(List) + 2 * of_allocation + numbers.capacity() * sizeof(double) +
+               items.capacity() * sizeof(Value);
+    }
+
     std::uint64_t uses = 1;
     std::uint64_t size = 0;
     std::uint32_t depth = 1;
@@ -20,48 +58,39 @@ struct List {
     std::vector<Value> items;     ///< any other
 };
 
-Value::Value(std::string text) : kind_(Kind::text) {
-    data_.text = new Text{1, std::move(text)};
+std::uint64_t Value::held_bytes() {
+    return held;
 }
 
-Value::Value(std::vector<Value> elements) {
+Value::Value(std::string text) : kind_(Kind::text) {
+    data_.text = new Text(std::move(text));
+}
+
+Value::Value(List* list) : kind_(Kind::list) {
+    data_.list = list;
+}
+
+Value::Value(std::vector<Value> elements) : Value(list_of(elements)) {}
+
+Value Value::list_of(std::span<Value> elements) {
     const bool numbers =
         std::all_of(elements.begin(), elements.end(), [](const Value& v) { return v.is_number(); });
-    if (numbers) {
-        std::vector<double> plain(elements.size());
-        std::transform(elements.begin(), elements.end(), plain.begin(),
-                       [](const Value& v) { return v.number(); });
-        *this = of_numbers(std::move(plain));
-        return;
-    }
-    kind_ = Kind::list;
-    data_.list = new List;
-    data_.list->size = elements.size();
-    for (const Value& v : elements) data_.list->depth = std::max(data_.list->depth, v.depth() + 1);
-    data_.list->items = std::move(elements);
-}
-
-Value Value::of_numbers(std::vector<double> elements) {
-    if (elements.size() == 2) return {elements[0], elements[1]};
-    if (elements.size() == 3) return {elements[0], elements[1], elements[2]};
-    Value result;
-    result.kind_ = Kind::list;
-    result.data_.list = new List;
-    result.data_.list->size = elements.size();
-    result.data_.list->numbers = std::move(elements);
-    return result;
+    if (!numbers)
+        return Value(new List(std::vector<Value>(std::make_move_iterator(elements.begin()),
+                                                 std::make_move_iterator(elements.end()))));
+    if (elements.size() == 2) return {elements[0].number(), elements[1].number()};
+    if (elements.size() == 3)
+        return {elements[0].number(), elements[1].number(), elements[2].number()};
+    std::vector<double> plain(elements.size());
+    std::transform(elements.begin(), elements.end(), plain.begin(),
+                   [](const Value& v) { return v.number(); });
+    return Value(new List(std::move(plain)));
 }
 
 Value Value::of_range(double start, double step, std::uint64_t count) {
     if (count == 2) return {start, start + step};
     if (count == 3) return {start, start + step, start + 2 * step};
-    Value result;
-    result.kind_ = Kind::list;
-    result.data_.list = new List;
-    result.data_.list->size = count;
-    result.data_.list->start = start;
-    result.data_.list->step = step;
-    return result;
+    return Value(new List(start, step, count));
 }
 
 void Value::share() const noexcept {
@@ -82,6 +111,12 @@ void Value::release() noexcept {
 
 std::string_view Value::text() const {
     return data_.text->text;
+}
+
+std::uint64_t Value::characters() const {
+    Text& text = *data_.text;
+    if (text.characters == 0) text.characters = count_characters(text.text);
+    return text.characters;
 }
 
 std::uint64_t Value::size() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,7 +42,8 @@ class Value {
     explicit Value(std::string text);
     /// Makes a vector of two or three numbers.
     explicit Value(std::vector<Value> elements);
-    static Value of_numbers(std::vector<double> elements);
+    /// The same, without storing them apart: the elements are moved from.
+    static Value list_of(std::span<Value> elements);
     /// start + i·step for 0 <= i < count, without storing them.
     static Value of_range(double start, double step, std::uint64_t count);
     static Value material(std::uint32_t index) { return {Kind::material, index}; }
@@ -78,14 +80,19 @@ class Value {
     double component(unsigned i) const { return data_.numbers[i]; }
     unsigned dimension() const { return size_; }
     std::string_view text() const;
+    /// Of a string: how many characters it has, counted once.
+    std::uint64_t characters() const;
 
     /// Of lists and vectors.
     std::uint64_t size() const;
     Value at(std::uint64_t i) const;
+    /// Bytes of all lists and strings that this thread holds.
+    static std::uint64_t held_bytes();
     /// Lists within lists; 0 for what is no list.
     std::uint32_t depth() const;
 
   private:
+    explicit Value(List* list);
     Value(Kind kind, std::uint32_t index) : kind_(kind) { data_.index = index; }
     bool is_shared() const { return kind_ == Kind::text || kind_ == Kind::list; }
     void share() const noexcept;

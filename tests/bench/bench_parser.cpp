@@ -1,5 +1,6 @@
 // How fast scripts are read and run. Promised, in CPU time: the flat script of 66,000 spheres, 5
-// MB, parsed and evaluated in under 0.15 s; 100,000 iterations with a call in under 0.2 s.
+// MB, parsed and evaluated in under 0.15 s; 100,000 iterations with a call in under 0.2 s; a mesh
+// of a million computed vertices in under 1.5 s.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -54,9 +55,22 @@ void loop_of_100000_calls(benchmark::State& state) {
         100'000);
 }
 
+void mesh_of_a_million_computed_vertices(benchmark::State& state) {
+    run(state,
+        "func torus(u, v) = [(2 + cos(v)) * cos(u), sin(v), (2 + cos(v)) * sin(u)]\n"
+        "let n = 1000\n"
+        "mesh {\n"
+        "  vertices [for i in 0..n for j in 0..n: torus(tau * i / n, tau * j / n)]\n"
+        "  faces [for i in 0..n for j in 0..n: [i * n + j, i * n + (j + 1) % n,\n"
+        "    (i + 1) % n * n + (j + 1) % n, (i + 1) % n * n + j]]\n"
+        "}\n",
+        1);
+}
+
 BENCHMARK(parse_only)->Unit(benchmark::kMillisecond);
 BENCHMARK(flat_script_of_66000_spheres)->Unit(benchmark::kMillisecond);
 BENCHMARK(loop_of_100000_calls)->Unit(benchmark::kMillisecond);
+BENCHMARK(mesh_of_a_million_computed_vertices)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
