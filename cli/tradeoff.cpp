@@ -17,8 +17,10 @@
 #include "cli/scene_size.h"
 #include "cli/settings_options.h"
 #include "cli/stopwatch.h"
+#include "judge/tradeoff/page.h"
 #include "judge/tradeoff/tradeoff_text.h"
 #include "model/diagnostic.h"
+#include "model/io/file.h"
 #include "reference/povray/runner.h"
 
 namespace lancer::cli {
@@ -29,6 +31,7 @@ using judge::TradeOffReport;
 struct TradeOffJob {
     std::vector<std::string> scenes;
     std::string json;
+    std::string report;  ///< a folder; empty: none
     std::string camera;
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
@@ -99,6 +102,9 @@ class TradeOffs {
                 session_.output.say((i > 0 ? "\n" : "") + judge::tradeoff_text(reports_.back()));
         }
         session_.write(job_.json, judge::tradeoff_json(reports_));
+        if (job_.report.empty()) return;
+        judge::write_tradeoff(std::move(reports_), job_.report);
+        if (!job_.quiet) session_.output.say(fmt::format("wrote {}/index.html\n", job_.report));
     }
 
   private:
@@ -108,6 +114,7 @@ class TradeOffs {
         if (job_.budget)
             options.budget =
                 std::max(1e-3, *job_.budget - watch_.seconds()) / static_cast<double>(left);
+        options.with_pictures = !job_.report.empty();
         options.cache = {cache_, program_ + subject.content};
         options.progress = [this](double share, const std::string& what) {
             bar_.set_label(what);
@@ -133,8 +140,25 @@ class TradeOffs {
     ProgressBar bar_;
 };
 
+/// A file that is there already must be of an earlier report.
+void will_report(const TradeOffJob& job, Session& session) {
+    if (job.report.empty()) return;
+    std::vector<std::string> names = judge::plot_names(job.scenes);
+    names.insert(names.begin(), "index.html");
+    for (const std::string& name : names) {
+        const std::string path = job.report + "/" + name;
+        session.files.add_output_in_new_folder(path, "--report " + name);
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) continue;
+        if (io::read_file(path).find(judge::tradeoff_mark) == std::string::npos)
+            throw UsageError(fmt::format(
+                "--report: '{}' is there, and no earlier report: it would be lost", path));
+    }
+}
+
 ExitCode tradeoff(const TradeOffJob& job, Session& session) {
     session.will_write(job.json, "--json");
+    will_report(job, session);
     // All are read before the first is measured: a mistake in the last would come late.
     std::vector<Subject> subjects;
     for (const std::string& path : job.scenes) subjects.push_back(load(path, job, session));
@@ -174,6 +198,10 @@ void add_tradeoff(CLI::App& app, Action& action) {
         ->type_name("");
     command.add_option("--json", job->json, "Write everything as JSON; - to standard output")
         ->type_name("FILE");
+    command
+        .add_option("--report", job->report,
+                    "Write DIR/index.html with interactive plots, and these as SVG")
+        ->type_name("DIR");
     add_number(command, "--budget", job->budget, 0.1, 1e7,
                "End within S seconds; what is left out is named")
         ->type_name("S");

@@ -13,7 +13,7 @@ std::vector<Advice> advice_from(const std::vector<Measurement>& settings, std::s
          {std::pair{0.02, "0.02"}, {1.0 / 255, "1/255"}, {0.001, "1/1000"}}) {
         Advice advice{below, text, {}, 1};
         for (std::size_t i = 0; i < settings.size(); ++i) {
-            if (!(settings[i].error.high <= below)) continue;
+            if (settings[i].beaten_by || !(settings[i].error.high <= below)) continue;
             if (!advice.use || settings[i].median() < settings[*advice.use].median())
                 advice.use = i;
         }

@@ -13,7 +13,7 @@ struct Measurement;
 struct Advice {
     double below = 0;                ///< the error
     std::string below_text;          ///< "1/255"
-    std::optional<std::size_t> use;  ///< index of the fastest that is surely below; nothing: none
+    std::optional<std::size_t> use;  ///< index of the fastest of the frontier that is surely below
     double times_as_fast = 1;        ///< as the exact one
 };
 

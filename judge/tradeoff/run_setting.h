@@ -1,6 +1,8 @@
 // One picture by one setting, as `render` makes it, and what it cost.
 #pragma once
 
+#include <vector>
+
 #include "judge/tradeoff/cost.h"
 #include "judge/tradeoff/settings.h"
 
@@ -10,6 +12,7 @@ struct SettingRun {
     Image image;
     Cost cost;  ///< the world's building included, the file's writing not
     RayCounts rays;
+    std::vector<std::uint32_t> samples;  ///< a pixel; empty where all have as many
 };
 
 /// Throws accuracy::Unreachable when an error cannot be reached, SceneError.

@@ -12,6 +12,7 @@
 #include "judge/tradeoff/combine.h"
 #include "judge/tradeoff/frontier.h"
 #include "judge/tradeoff/run_setting.h"
+#include "judge/tradeoff/setting_pictures.h"
 
 namespace lancer::judge {
 namespace {
@@ -44,6 +45,7 @@ class TradeOff {
         find_truth();
         measure_singles();
         measure_combinations();
+        measure_errors();
         repeat();
         finish();
         return std::move(report_);
@@ -69,7 +71,10 @@ class TradeOff {
     /// Rays a pixel that a setting may take, guessed.
     double units_of(const TradeSetting& setting) const {
         if (!setting.max_error) return setting.points();
-        const double audits = setting.audited ? 100'000 / report_.pixels() : 0;
+        // As in docs/cost-of-accuracy.md, roughly: more draws are needed for small errors.
+        const double finer = 0.01 / *setting.max_error;
+        const double audits =
+            setting.audited ? (100'000 + 40'000 * finer * finer) / report_.pixels() : 0;
         return 4 + audits + 4 * std::pow(0.01 / *setting.max_error, 4.0 / 3);
     }
 
@@ -162,7 +167,12 @@ class TradeOff {
             m.memory_bytes = run.cost.memory_bytes;
             m.rays = run.rays;
             m.error = error_of(run.image, truth_);
-            if (options_.with_pictures) m.png = preview_of(run.image, picture_bytes).png;
+            if (options_.with_pictures) {
+                SettingPictures pictures = pictures_of(run, truth_);
+                m.png = std::move(pictures.picture);
+                m.error_png = std::move(pictures.error);
+                m.samples_png = std::move(pictures.samples);
+            }
             report_.settings.push_back(std::move(m));
             return std::move(run.image);
         } catch (const accuracy::Unreachable& refused) {
@@ -187,6 +197,12 @@ class TradeOff {
                 std::max(0.0, m.error.mean_square), cut};
     }
 
+    /// Errors that are asked for come after combinations: more of the frontier hangs on these.
+    void measure_errors() {
+        for (const TradeSetting& setting : single_settings(turned_, samples_))
+            if (setting.max_error) measure(setting);
+    }
+
     void measure_singles() {
         const TradeSetting base = base_setting(turned_, samples_);
         const std::optional<Image> made = measure(base);
@@ -196,7 +212,7 @@ class TradeOff {
         measure(own_setting(turned_));
         std::set<Knob> without_effect;  // what is finer still has none either
         for (const TradeSetting& setting : single_settings(turned_, samples_)) {
-            if (without_effect.contains(setting.knob)) continue;
+            if (setting.max_error || without_effect.contains(setting.knob)) continue;
             const std::optional<Image> image = measure(setting);
             if (!image) continue;
             const bool is_cut = cuts(setting.knob);

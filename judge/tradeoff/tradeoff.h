@@ -28,7 +28,9 @@ struct Measurement {
     RayCounts rays;
     std::optional<std::uint64_t> memory_bytes;
     MeasuredError error;
-    std::string png;                       ///< its picture, if it was wanted
+    std::string error_png;    ///< if wanted: off the truth by
+    std::string samples_png;  ///< if wanted, and not as many everywhere: where they are
+    std::string png;          ///< its picture, if it was wanted
     std::optional<std::size_t> beaten_by;  ///< index; nothing: on the frontier
 
     double median() const;
@@ -60,6 +62,8 @@ struct TradeOffReport {
     double pixels() const { return static_cast<double>(width()) * height(); }
     /// The smallest error that is told.
     double least_error() const;
+    /// Whether the truth's own error is more than a third of that.
+    bool is_truth_rough() const { return 3 * truth_error > least_error(); }
 };
 
 /// No time for even the truth and one setting; the message says what that takes.

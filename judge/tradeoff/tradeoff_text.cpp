@@ -116,7 +116,7 @@ std::string tradeoff_text(const TradeOffReport& r) {
     out += "* nothing else is both faster and nearer to the truth\n";
     out += fmt::format("truth: {} rays a pixel, its own error about {}{}\n", r.truth_points,
                        shown(r.truth_error, 2), r.truth_cached ? ", from the cache" : "");
-    if (3 * r.truth_error > r.least_error())
+    if (r.is_truth_rough())
         out += "that is more than a third of the smallest error, whose interval is wide\n";
     for (const Advice& a : r.advice) out += sentence(a, r.settings) + "\n";
     for (const LeftOut& l : r.left_out) out += fmt::format("left out: {}: {}\n", l.setting, l.why);

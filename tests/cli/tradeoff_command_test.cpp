@@ -107,6 +107,26 @@ TEST_F(TradeOffCommand, WrongUseIsTwo) {
     EXPECT_EQ(place_.read("a.lancer"), small_scene());
 }
 
+TEST_F(TradeOffCommand, TheReportReplacesNothingButReports) {
+    const std::vector<std::string> quick{"--report", "r", "--budget", "1", "-q"};
+    ASSERT_EQ(tradeoff(quick).code, 0);
+    EXPECT_THAT(place_.read("r/index.html"), HasSubstr("made by lancer tradeoff"));
+    EXPECT_THAT(place_.read("r/plot.svg"), HasSubstr("made by lancer tradeoff"));
+    EXPECT_EQ(tradeoff(quick).code, 0) << "an earlier report";
+    for (const char* name : {"r/index.html", "r/plot.svg"}) {
+        const std::string before = place_.read(name);
+        place_.write(name, "mine");
+        const Finished finished = tradeoff(quick);
+        EXPECT_EQ(finished.code, 2);
+        EXPECT_THAT(finished.err,
+                    HasSubstr(std::string("'") + name + "' is there, and no earlier"));
+        EXPECT_EQ(place_.read(name), "mine");
+        place_.write(name, before);
+    }
+    EXPECT_EQ(tradeoff({"--report", "a.lancer"}).code, 4) << "no folder";
+    EXPECT_EQ(tradeoff({"--report", "r", "--json", "r/plot.svg"}).code, 2);
+}
+
 TEST_F(TradeOffCommand, WrongScenesAndFiles) {
     EXPECT_EQ(tradeoff({"--json", "no/folder.json"}).code, 4);
     EXPECT_EQ(place_.run({"tradeoff", "nowhere.lancer"}).code, 4);

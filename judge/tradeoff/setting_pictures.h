@@ -1,0 +1,17 @@
+// A setting's pictures on the page.
+#pragma once
+
+#include "judge/tradeoff/run_setting.h"
+#include "judge/tradeoff/true_picture.h"
+
+namespace lancer::judge {
+
+/// PNG files, made smaller where they would be large.
+struct SettingPictures {
+    std::string picture;
+    std::string error;    ///< off the truth by, see reference::heat_map
+    std::string samples;  ///< a pixel, logarithmic; empty where all have as many
+};
+SettingPictures pictures_of(const SettingRun& run, const TruePicture& truth);
+
+}  // namespace lancer::judge
