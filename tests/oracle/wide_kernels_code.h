@@ -135,7 +135,7 @@ inline void surfaces_kernel(const Scene& scene, ExactMethods& exact, const LaneR
     const Rays rays = rays_of(from);
     NearestHits hits;
     for (int i = 0; i < lanes; ++i) hits.add(i, given[i]);
-    Job job{&scene, &exact, nullptr, nullptr, {}};
+    Job job{&scene, &exact, nullptr, nullptr, nullptr, {}};
     Surfaces s;
     make_surfaces(job, rays, hits, 255, s);
     const auto put = [](const Vectors& v, int i, double* to) {

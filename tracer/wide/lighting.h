@@ -146,7 +146,8 @@ inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, con
             job.counts.shadow += static_cast<std::uint64_t>(__builtin_popcount(lit));
             const Rays to_light = make_rays(s.position, s.position_lo, at.direction, s.error);
             set_left(scene, hits, s, at.direction, lit, starts);
-            lit = ShadowQuery(job, to_light, starts, at.distance).lit(lit, share);
+            lit = ShadowQuery(job, to_light, starts, at.distance, job.last_in_the_way[i])
+                      .lit(lit, share);
             if (lit == 0) continue;
         }
         const Vectors color = at.color * share;

@@ -244,6 +244,7 @@ struct Job {
     /// The wave of a level below Scene::max_depth; the same at each call.
     Wave* (*wave)(void* waves, int level);
     void* waves;
+    std::uint32_t* last_in_the_way;  ///< an item for each light, or `nothing`: ShadowQuery
     Counts counts;
 };
 

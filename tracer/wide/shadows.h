@@ -7,8 +7,16 @@ namespace lancer::wide::LANCER_LEVEL {
 /// none does, and some may, the exact methods look at the whole way.
 class ShadowQuery {
   public:
-    ShadowQuery(const Job& job, const Rays& r, const Starts& starts, const Numbers& distance)
-        : job_(job), scene_(*job.scene), rays_(r), starts_(starts), distance_(distance) {}
+    /// \param last  an item that was in this light's way a while ago, or `nothing`; gets the last
+    ///              one that is
+    ShadowQuery(const Job& job, const Rays& r, const Starts& starts, const Numbers& distance,
+                std::uint32_t& last)
+        : job_(job),
+          scene_(*job.scene),
+          rays_(r),
+          starts_(starts),
+          distance_(distance),
+          last_(last) {}
 
     /// \param share  gets the share of the light, by colour, of the rays of the mask
     ///
@@ -16,12 +24,21 @@ class ShadowQuery {
     Mask lit(Mask active, Vectors& share) {
         ask_planes(active);
         Mask open = active & ~blocked_;
+        // Neighbours are in the same shadow: what hid the light last time is asked before the tree.
+        if (last_ != nothing && open != 0) {
+            ask(last_, open);
+            open &= ~(blocked_ | unsure_);
+        }
         if (open != 0) {
             traverse(scene_.tree, rays_, open, distance_,
                      [&](std::uint32_t first, std::uint32_t count, Mask met) {
                          for (std::uint32_t i = first; i < first + count; ++i) {
+                             const Mask before = blocked_;
                              ask(i, met & open);
                              open &= ~(blocked_ | unsure_);
+                             if (__builtin_popcount(blocked_ ^ before) > 2 &&
+                                 scene_.items[i].kind != Kind::mesh)
+                                 last_ = i;
                          }
                      });
         }
@@ -107,6 +124,7 @@ class ShadowQuery {
     const Rays& rays_;
     const Starts& starts_;
     const Numbers& distance_;
+    std::uint32_t& last_;
     Mask blocked_ = 0;
     Mask unsure_ = 0;
 };

@@ -166,13 +166,17 @@ template <class Tracer>
 class LevelTracer final : public WideTracer {
   public:
     LevelTracer(const World<double>& world, Scene scene, const TraceLimits& limits, Level level)
-        : scene_(scene), exact_(world, limits), code_(code_of(level)) {
+        : scene_(scene),
+          exact_(world, limits),
+          code_(code_of(level)),
+          last_in_the_way_(world.lights.size(), nothing) {
         scene_.max_depth = limits.max_depth;
         scene_.min_contribution = limits.min_contribution;
         job_.scene = &scene_;
         job_.exact = &exact_;
         job_.wave = wave;
         job_.waves = &waves_;
+        job_.last_in_the_way = last_in_the_way_.data();
     }
 
     void trace(const CameraFrame<double>& frame, int width, int height, RayBatch& batch) override {
@@ -202,6 +206,7 @@ class LevelTracer final : public WideTracer {
     ScalarMethods<Tracer> exact_;
     TraceRays code_;
     std::vector<std::unique_ptr<Wave>> waves_;
+    std::vector<std::uint32_t> last_in_the_way_;
     Job job_{};
 };
 
