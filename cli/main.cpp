@@ -47,7 +47,6 @@ std::string habit_hint(const CLI::App& command, std::string word) {
         {"--spp", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
         {"--antialias", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
         {"--aa", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
-        {"--quality", "--preview", "a quick look is --preview"},
         {"--draft", "--preview", "a quick look is --preview"},
     };
     word = word.substr(0, word.find('='));

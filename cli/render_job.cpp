@@ -37,6 +37,8 @@ void check_options(const RenderJob& job) {
         throw UsageError("one of --max-error, --time and --passes, not two");
     if (job.settings.samples)
         throw UsageError(option + " chooses the samples: leave --samples out");
+    if (job.settings.quality)
+        throw UsageError(option + " chooses samples and limits: leave --quality out");
     if (job.settings.sampling == Sampling::grid)
         throw UsageError(option + " samples at sobol points, not on a grid");
 }

@@ -28,12 +28,18 @@ Sampling parse_sampling(const std::string& text) {
     throw UsageError("'" + text + "' is no way of sampling: expected grid or sobol");
 }
 
+Quality parse_quality(const std::string& text) {
+    if (const std::optional<Quality> quality = quality_called(text)) return *quality;
+    throw UsageError("'" + text + "' is no quality: expected draft, normal, fine or exact");
+}
+
 }  // namespace
 
 void SettingsOptions::apply_to(Settings& settings) const {
     if (threads) settings.threads = static_cast<int>(*threads);
     if (settings.threads == 0)
         settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    if (quality) apply(values_of(*quality), settings);
     if (max_depth) settings.max_depth = static_cast<int>(*max_depth);
     if (min_contribution) settings.min_contribution = *min_contribution;
     if (samples) settings.samples = static_cast<int>(*samples);
@@ -51,6 +57,12 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
     add_whole_number(app, "--threads", options.threads, 1, most_threads,
                      "Threads; as many as the machine has by default. The picture is the same")
         ->type_name("N");
+    app.add_option_function<std::string>(
+           "--quality",
+           [&options](const std::string& text) { options.quality = parse_quality(text); },
+           "draft, normal, fine or exact: samples, depth and contribution at once")
+        ->type_name("NAME")
+        ->group(group);
     add_whole_number(app, "--max-depth", options.max_depth, 1, deepest,
                      "Levels of recursion; 1: primary rays only")
         ->type_name("N")

@@ -31,7 +31,7 @@ std::string sentence(const Advice& advice, const std::vector<Measurement>& setti
     if (!advice.use) {
         double best = 1e300;
         for (const Measurement& m : settings) best = std::min(best, m.error.high);
-        return start + fmt::format("none of these settings; the best reaches {}", shown(best, 2));
+        return start + fmt::format("none of these settings; the best reaches {}", shown(best));
     }
     const Measurement& m = settings[*advice.use];
     const std::string name =

@@ -30,6 +30,7 @@ const char* outline_of(Knob knob) {
             return "M0,-5.5L5.5,0L0,5.5L-5.5,0Z";
         case Knob::scene:
         case Knob::exact:
+        case Knob::quality:
             return "M-1.7,-5h3.4v3.3h3.3v3.4h-3.3v3.3h-3.4v-3.3h-3.3v-3.4h3.3Z";
         case Knob::tolerance:
         case Knob::precision:
@@ -196,7 +197,8 @@ KnobGroup group_of(Knob knob) {
     switch (knob) {
         case Knob::scene:
         case Knob::exact:
-            return {"the scene's own, and exact", "k-marks"};
+        case Knob::quality:
+            return {"the scene's own, --quality, exact", "k-marks"};
         case Knob::samples:
             return {"samples", "k-samples"};
         case Knob::max_depth:

@@ -7,6 +7,7 @@
 
 #include "judge/report/html.h"
 #include "model/elementary.h"
+#include "model/quality.h"
 
 namespace lancer::judge {
 namespace {
@@ -67,6 +68,8 @@ const char* name_of(Knob knob) {
             return "scene";
         case Knob::exact:
             return "exact";
+        case Knob::quality:
+            return "quality";
         case Knob::samples:
             return "samples";
         case Knob::max_depth:
@@ -144,6 +147,21 @@ TradeSetting own_setting(const TurnedScene& turned) {
     TradeSetting setting{Knob::scene, turned.scene.settings, {}, true, "", ""};
     setting.label = "as the scene says";
     return setting;
+}
+
+std::vector<TradeSetting> quality_settings(const TurnedScene& turned, int most_samples) {
+    std::vector<TradeSetting> all;
+    for (const Quality quality : all_qualities) {
+        const QualityValues& values = values_of(quality);
+        if (values.samples > most_samples || quality == Quality::exact) continue;
+        TradeSetting setting{Knob::quality, turned.uncut, {}, true, "", ""};
+        apply(values, setting.settings);
+        setting.settings.precision = turned.scene.settings.precision;
+        setting.label = "quality " + std::string(name_of(quality));
+        setting.options = "--quality " + std::string(name_of(quality));
+        all.push_back(setting);
+    }
+    return all;
 }
 
 TradeSetting exact_setting(const TurnedScene& turned, int samples) {

@@ -18,6 +18,7 @@ namespace lancer::judge {
 enum class Knob : std::uint8_t {
     scene,  ///< as the script says
     exact,  ///< the most samples, nothing cut
+    quality,
     samples,
     max_depth,
     min_contribution,
@@ -59,6 +60,9 @@ TurnedScene turned(const Scene& scene, const View& view);
 
 /// The script's own way.
 TradeSetting own_setting(const TurnedScene& turned);
+/// By one word; those with more samples than `most_samples` x `most_samples` are left out, and what
+/// is exact.
+std::vector<TradeSetting> quality_settings(const TurnedScene& turned, int most_samples);
 /// `samples` x `samples` Sobol points and nothing cut.
 TradeSetting exact_setting(const TurnedScene& turned, int samples);
 /// Where knobs other than the samples are turned: uncut, with 3 x 3 Sobol points, or `most_samples`

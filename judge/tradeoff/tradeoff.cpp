@@ -151,7 +151,7 @@ class TradeOff {
 
     /// Nothing when it is left out.
     std::optional<Image> measure(const TradeSetting& setting) {
-        if (!known_.insert(setting.label + setting.options).second) return std::nullopt;
+        if (!known_.insert(setting.options).second) return std::nullopt;
         const double expected = units_of(setting) * unit_;
         if (!report_.settings.empty() && !fits(expected)) {
             leave_out(setting, "no time");
@@ -210,6 +210,7 @@ class TradeOff {
         base_ = effect(made ? report_.settings.size() - 1 : 0, 0);
         for (std::size_t i = 0; i < report_.settings.size(); ++i) singles_.push_back(effect(i, 0));
         measure(own_setting(turned_));
+        for (const TradeSetting& setting : quality_settings(turned_, samples_)) measure(setting);
         std::set<Knob> without_effect;  // what is finer still has none either
         for (const TradeSetting& setting : single_settings(turned_, samples_)) {
             if (setting.max_error || without_effect.contains(setting.knob)) continue;

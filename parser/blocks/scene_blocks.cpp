@@ -1,6 +1,7 @@
 // image, render, camera, background and ambient.
 #include <limits>
 
+#include "model/quality.h"
 #include "model/scene.h"
 #include "parser/blocks/blocks.h"
 #include "parser/rules.h"
@@ -24,6 +25,13 @@ struct Words<Sampling> {
     static constexpr std::array values{Sampling::grid, Sampling::sobol};
 };
 
+template <>
+struct Words<Quality> {
+    static constexpr std::string_view takes = "draft, normal, fine or exact";
+    static constexpr std::array<std::string_view, 4> words{"draft", "normal", "fine", "exact"};
+    static constexpr std::array values = all_qualities;
+};
+
 }  // namespace rules
 
 namespace blocks {
@@ -32,6 +40,10 @@ namespace {
 struct ImageSize {
     int width = 640;
     int height = 480;
+};
+
+struct QualityChoice {
+    Quality quality = Quality::normal;
 };
 
 struct CameraSpec {
@@ -68,6 +80,10 @@ constexpr Field render_fields[] = {
     field<&Settings::textures, rules::Flag>("textures", "true", "false: plain colours"),
     field<&Settings::tolerance, rules::Positive>(
         "tolerance", "true surfaces", "how far a tessellated surface may be from the true one"),
+};
+constexpr Field quality_fields[] = {
+    field<&QualityChoice::quality, rules::WordRule<Quality>>(
+        "quality", "none", "max_depth, min_contribution, samples and sampling at once"),
 };
 constexpr Field camera_fields[] = {
     field<&CameraSpec::position, rules::Vector>("position", required, "where it stands"),
@@ -107,7 +123,8 @@ void warn_of_radians(BlockReader& block, double fov, double distance) {
 
 const BlockInfo file{"", "", file_fields, {}, "what stands in the file itself"};
 const BlockInfo image{"image", "", image_fields, {}, "size of the picture"};
-const BlockInfo render{"render", "", render_fields, {}, "how to render; the command line wins"};
+const BlockInfo render{"render", "", render_fields, quality_fields,
+                       "how to render; the command line wins"};
 const BlockInfo camera{
     "camera", "", camera_fields, {}, "a point of view; the first is the default"};
 
@@ -123,7 +140,16 @@ void make_image(BlockReader& block, std::uint32_t&) {
 void make_render(BlockReader& block, std::uint32_t&) {
     Evaluator& evaluator = block.evaluator();
     if (evaluator.is_repeated("render", evaluator.render_place, block.place())) return;
-    block.read(&block.builder().scene.settings);
+    Settings& settings = block.builder().scene.settings;
+    QualityChoice choice;
+    if (!block.read(&settings, &choice) || !block.has("quality")) return;
+    // Those that are written win.
+    const Settings written = settings;
+    apply(values_of(choice.quality), settings);
+    if (block.has("max_depth")) settings.max_depth = written.max_depth;
+    if (block.has("min_contribution")) settings.min_contribution = written.min_contribution;
+    if (block.has("samples")) settings.samples = written.samples;
+    if (block.has("sampling")) settings.sampling = written.sampling;
 }
 
 void make_camera(BlockReader& block, std::uint32_t&) {

@@ -34,6 +34,17 @@ class MaxError : public testing::Test {
     Workplace place_;
 };
 
+TEST_F(MaxError, IsNotWhatAQualityAsksFor) {
+    ASSERT_EQ(render({"--quality", "normal", "-o", "a.exr"}).code, 0);
+    ASSERT_EQ(render({"--samples", "3", "--sampling", "sobol", "--max-depth", "16",
+                      "--min-contribution", "0.01", "-o", "b.exr"})
+                  .code,
+              0);
+    EXPECT_EQ(rms_difference("a.exr", "b.exr"), 0);
+    ASSERT_EQ(render({"--quality", "normal", "--samples", "1", "--stats", "s.json"}).code, 0);
+    EXPECT_EQ(nlohmann::json::parse(place_.read("s.json")).at("rays").at("primary"), 64 * 48);
+}
+
 TEST_F(MaxError, IsHeldAndToldAndWritten) {
     const Finished finished =
         render({"--max-error", "0.01", "-o", "a.exr", "--stats", "s.json", "--seed", "3"});
@@ -92,8 +103,10 @@ TEST_F(MaxError, ChannelsShowWhereErrorAndSamplesAre) {
 
 TEST_F(MaxError, WhatCannotBeReachedIsRefusedWithoutAPicture) {
     for (const auto& options : std::vector<std::vector<std::string>>{
-             {"--max-error", "0.00001"},                 // more rays than are allowed
-             {"--max-error", "0.01", "--no-shadows"},    // wrong whatever the samples
+             {"--max-error", "0.00001"},               // more rays than are allowed
+             {"--max-error", "0.01", "--no-shadows"},  // wrong whatever the samples
+             {"--max-error", "0.01", "--quality", "fine"},
+             {"--quality", "best"},
              {"--max-error", "0.01", "--samples", "3"},  // whose samples?
              {"--max-error", "0.01", "--sampling", "grid"},
              {"--max-error", "0"},

@@ -53,7 +53,8 @@ TEST_F(TradeOffCommand, TellsTableAndJson) {
     EXPECT_LT(on_frontier, settings.size());
     // The options are those of `render`, and do there what was measured.
     for (const nlohmann::json& s : settings) {
-        if (s.at("knob") != "combination" && s.at("knob") != "exact") continue;
+        if (s.at("knob") != "combination" && s.at("knob") != "exact" && s.at("knob") != "quality")
+            continue;
         std::vector<std::string> words{"render", "a.lancer", "--size",
                                        "16x12",  "--stats",  "s.json"};
         std::istringstream options(s.at("options").get<std::string>());

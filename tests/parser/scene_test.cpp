@@ -1,6 +1,7 @@
 // What blocks become in the Scene.
 #include <gtest/gtest.h>
 
+#include "model/quality.h"
 #include "tests/parser/script.h"
 
 namespace lancer {
@@ -23,6 +24,25 @@ TEST(SceneFromScript, ASphereNeedsOnlyItsRadius) {
     const auto sphere = only_shape<Sphere>("sphere { radius 2 }");
     EXPECT_EQ(sphere.center, Vec3d(0, 0, 0));
     EXPECT_EQ(sphere.radius, 2);
+}
+
+TEST(SceneFromScript, AQualityGivesWayToWhatIsWritten) {
+    const Settings fine = run("render { quality fine }").scene.settings;
+    EXPECT_EQ(fine.samples, values_of(Quality::fine).samples);
+    EXPECT_EQ(fine.sampling, Sampling::sobol);
+    EXPECT_EQ(fine.max_depth, values_of(Quality::fine).max_depth);
+    EXPECT_EQ(fine.min_contribution, values_of(Quality::fine).min_contribution);
+    const auto result = run(
+        "render { samples 2 sampling grid quality draft max_depth 3 min_contribution 0.5 tolerance "
+        "1 }");
+    EXPECT_EQ(result.messages, "");
+    EXPECT_EQ(result.scene.settings.samples, 2);
+    EXPECT_EQ(result.scene.settings.sampling, Sampling::grid);
+    EXPECT_EQ(result.scene.settings.max_depth, 3);
+    EXPECT_EQ(result.scene.settings.min_contribution, 0.5);
+    EXPECT_EQ(result.scene.settings.tolerance, 1);
+    EXPECT_NE(run("render { quality best }").messages.find("draft, normal, fine or exact"),
+              std::string::npos);
 }
 
 TEST(SceneFromScript, PropertiesStandInAnyOrderAndBeforeParentheses) {

@@ -1,0 +1,50 @@
+#include "model/quality.h"
+
+namespace lancer {
+
+std::string_view name_of(Quality quality) {
+    switch (quality) {
+        case Quality::draft:
+            return "draft";
+        case Quality::normal:
+            return "normal";
+        case Quality::fine:
+            return "fine";
+        case Quality::exact:
+            return "exact";
+    }
+    return "";
+}
+
+std::optional<Quality> quality_called(std::string_view name) {
+    for (const Quality quality : all_qualities)
+        if (name_of(quality) == name) return quality;
+    return std::nullopt;
+}
+
+const QualityValues& values_of(Quality quality) {
+    static constexpr QualityValues draft{1, Sampling::grid, 8, 0.03};
+    static constexpr QualityValues normal{3, Sampling::sobol, 16, 0.01};
+    static constexpr QualityValues fine{6, Sampling::sobol, 32, 0.003};
+    static constexpr QualityValues exact{8, Sampling::sobol, 64, 1e-5};
+    switch (quality) {
+        case Quality::draft:
+            return draft;
+        case Quality::normal:
+            return normal;
+        case Quality::fine:
+            return fine;
+        case Quality::exact:
+            return exact;
+    }
+    return exact;
+}
+
+void apply(const QualityValues& values, Settings& settings) {
+    settings.samples = values.samples;
+    settings.sampling = values.sampling;
+    settings.max_depth = values.max_depth;
+    settings.min_contribution = values.min_contribution;
+}
+
+}  // namespace lancer
