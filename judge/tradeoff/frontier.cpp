@@ -6,7 +6,6 @@
 namespace lancer::judge {
 namespace {
 
-constexpr double time_noise = 0.03;
 constexpr double error_noise = 0.02;
 
 }  // namespace
@@ -24,20 +23,25 @@ std::vector<std::size_t> frontier(std::span<const TradePoint> points) {
     return best;
 }
 
-std::vector<std::size_t> clear_frontier(std::span<const TradePoint> points) {
+std::vector<std::size_t> clear_frontier(std::span<const TradePoint> points, double time_noise) {
     std::vector<std::size_t> best;
+    double group = 0;  // seconds of the first that the last stands for
     for (const std::size_t i : frontier(points)) {
         if (!best.empty() && points[i].error > (1 - error_noise) * points[best.back()].error)
             continue;
-        while (!best.empty() && points[i].seconds < (1 + time_noise) * points[best.back()].seconds)
-            best.pop_back();
+        if (!best.empty() && points[i].seconds < (1 + time_noise) * group) {
+            best.back() = i;
+            continue;
+        }
+        group = points[i].seconds;
         best.push_back(i);
     }
     return best;
 }
 
-std::vector<std::optional<std::size_t>> dominators(std::span<const TradePoint> points) {
-    const std::vector<std::size_t> best = clear_frontier(points);
+std::vector<std::optional<std::size_t>> dominators(std::span<const TradePoint> points,
+                                                   double time_noise) {
+    const std::vector<std::size_t> best = clear_frontier(points, time_noise);
     std::vector<std::optional<std::size_t>> result(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (std::find(best.begin(), best.end(), i) != best.end()) continue;

@@ -43,6 +43,7 @@ std::string detail(const TradeOffReport& r, std::size_t i, const std::string& pr
         escaped(command(m)));
     html += picture(m.png, r, "Picture");
     html += picture(m.error_png, r, "Off the truth by, logarithmic from 1e-6 to 1");
+    html += picture(m.guessed_png, r, "The same, as the setting guessed it");
     html += picture(m.samples_png, r, "Samples a pixel: doubled from black to white");
     html += fmt::format(
         "</div><p>RMSE {} · 99.9 % {} · FLIP {}<br>{} s of the processor, {} times as fast as "
@@ -135,7 +136,8 @@ void fit(std::vector<TradeOffReport>& reports, std::size_t most_bytes) {
         for (const TradeOffReport& r : reports) {
             bytes += r.truth_png.size();
             for (const Measurement& m : r.settings)
-                bytes += m.png.size() + m.error_png.size() + m.samples_png.size();
+                bytes +=
+                    m.png.size() + m.error_png.size() + m.guessed_png.size() + m.samples_png.size();
         }
         return bytes;
     };
@@ -145,9 +147,11 @@ void fit(std::vector<TradeOffReport>& reports, std::size_t most_bytes) {
             for (Measurement& m : r.settings)
                 if (m.beaten_by || !beaten_alone) (m.*what).clear();
     };
+    drop(true, &Measurement::guessed_png);
     drop(true, &Measurement::samples_png);
     drop(true, &Measurement::error_png);
     drop(true, &Measurement::png);
+    drop(false, &Measurement::guessed_png);
     drop(false, &Measurement::samples_png);
     drop(false, &Measurement::error_png);
     std::size_t pictures = 1;

@@ -25,6 +25,7 @@ void render_to_error(const Scene& scene, const View& view, const TradeSetting& s
     accuracy::ErrorPicture made = accuracy::render_to_error(picture ? *picture : *judge,
                                                             {*judge, limits}, view, goal, progress);
     run.image = std::move(made.image);
+    run.guessed = std::move(made.errors);
     run.samples = std::move(made.counts);
     for (const RayCounts& rays : {made.report.picture, made.report.deciding, made.report.printed})
         run.rays += rays;

@@ -12,6 +12,7 @@ struct SettingRun {
     Image image;
     Cost cost;  ///< the world's building included, the file's writing not
     RayCounts rays;
+    std::vector<double> guessed;         ///< standard errors that such a setting guesses, a pixel
     std::vector<std::uint32_t> samples;  ///< a pixel; empty where all have as many
 };
 

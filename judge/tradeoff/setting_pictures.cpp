@@ -28,8 +28,11 @@ Image samples_image(const SettingRun& run) {
 SettingPictures pictures_of(const SettingRun& run, const TruePicture& truth) {
     SettingPictures pictures;
     pictures.picture = preview_of(run.image, most_bytes).png;
-    const std::vector<double> off = reference::pixel_differences(run.image, truth.image());
-    pictures.error = preview_of(reference::heat_map(off, run.image.width, false), most_bytes).png;
+    const auto map_of = [&](const std::vector<double>& errors) {
+        return preview_of(reference::heat_map(errors, run.image.width, false), most_bytes).png;
+    };
+    pictures.error = map_of(reference::pixel_differences(run.image, truth.image()));
+    if (!run.guessed.empty()) pictures.guessed = map_of(run.guessed);
     if (!run.samples.empty()) pictures.samples = preview_of(samples_image(run), most_bytes).png;
     return pictures;
 }

@@ -10,6 +10,7 @@ namespace lancer::judge {
 struct SettingPictures {
     std::string picture;
     std::string error;    ///< off the truth by, see reference::heat_map
+    std::string guessed;  ///< the same as the setting guesses it; may be empty
     std::string samples;  ///< a pixel, logarithmic; empty where all have as many
 };
 SettingPictures pictures_of(const SettingRun& run, const TruePicture& truth);

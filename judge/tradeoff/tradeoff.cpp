@@ -26,6 +26,13 @@ constexpr int most_rounds = 9;
 constexpr double short_rounds = 3;              // seconds that more rounds than the fewest may take
 constexpr std::size_t picture_bytes = 100'000;  // of one on the page
 
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
 class TradeOff {
   public:
     TradeOff(const Scene& scene, const View& view, const TradeOffOptions& options)
@@ -171,6 +178,7 @@ class TradeOff {
                 SettingPictures pictures = pictures_of(run, truth_);
                 m.png = std::move(pictures.picture);
                 m.error_png = std::move(pictures.error);
+                m.guessed_png = std::move(pictures.guessed);
                 m.samples_png = std::move(pictures.samples);
             }
             report_.settings.push_back(std::move(m));
@@ -253,9 +261,14 @@ class TradeOff {
 
     void finish() {
         std::vector<TradePoint> points;
+        std::vector<double> spreads;
+        for (const Measurement& m : report_.settings) spreads.push_back(m.spread());
+        // Runs that differ by so much make medians that differ by about as much.
+        report_.time_noise = std::clamp(median_of(spreads), least_time_noise, 0.5);
         for (const Measurement& m : report_.settings)
             points.push_back({m.median(), m.error.counted()});
-        const std::vector<std::optional<std::size_t>> beaten = dominators(points);
+        const std::vector<std::optional<std::size_t>> beaten =
+            dominators(points, report_.time_noise);
         for (std::size_t i = 0; i < points.size(); ++i) report_.settings[i].beaten_by = beaten[i];
         report_.advice = advice_from(report_.settings, report_.exact);
         report_.truth_points = 2 * truth_.points();
@@ -288,11 +301,14 @@ class TradeOff {
 }  // namespace
 
 double Measurement::median() const {
-    std::vector<double> sorted = seconds;
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t half = sorted.size() / 2;
-    if (sorted.empty()) return 0;
-    return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+    return median_of(seconds);
+}
+
+double Measurement::spread() const {
+    const double middle = median();
+    std::vector<double> distances;
+    for (const double s : seconds) distances.push_back(std::abs(s - middle));
+    return middle > 0 ? median_of(distances) / middle : 0;
 }
 
 double TradeOffReport::least_error() const {

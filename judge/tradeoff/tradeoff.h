@@ -29,11 +29,14 @@ struct Measurement {
     std::optional<std::uint64_t> memory_bytes;
     MeasuredError error;
     std::string error_png;    ///< if wanted: off the truth by
+    std::string guessed_png;  ///< if wanted, and there is one: the same as it was guessed
     std::string samples_png;  ///< if wanted, and not as many everywhere: where they are
     std::string png;          ///< its picture, if it was wanted
     std::optional<std::size_t> beaten_by;  ///< index; nothing: on the frontier
 
     double median() const;
+    /// Median distance of the runs from that, as a share of it.
+    double spread() const;
 };
 
 struct LeftOut {
@@ -55,6 +58,7 @@ struct TradeOffReport {
     double truth_error = 0;          ///< RMSE
     bool truth_cached = false;       ///< at least in part
     std::string truth_png;           ///< if pictures were wanted
+    double time_noise = 0;           ///< share of a time that the clock cannot tell
     double seconds = 0;              ///< wall-clock, of all
 
     int width() const { return view.crop ? view.crop->width : view.width; }

@@ -87,6 +87,17 @@ TEST(Frontier, HasNoneThatTheClockAloneWouldPutThere) {
     EXPECT_THAT(clear_frontier(points), ElementsAre(1, 3));
     EXPECT_EQ(dominators(points)[0], 1U);
     EXPECT_EQ(dominators(points)[2], 1U);
+    // A busy clock cannot tell more, but a chain of small steps is no small step.
+    const std::vector<TradePoint> chain{{1, 0.9}, {1.1, 0.8}, {1.19, 0.7}, {1.3, 0.6}, {1.4, 0.5}};
+    EXPECT_THAT(clear_frontier(chain), ElementsAre(0, 1, 2, 3, 4));
+    EXPECT_THAT(clear_frontier(chain, 0.2), ElementsAre(2, 4));
+}
+
+TEST(Measurement, SpreadIsTheMedianDistance) {
+    Measurement m;
+    m.seconds = {1, 1.1, 0.9, 5, 1};
+    EXPECT_EQ(m.median(), 1);
+    EXPECT_NEAR(m.spread(), 0.1, 1e-12);
 }
 
 TEST(TradeOffTruth, KnowsHowWrongItIs) {
