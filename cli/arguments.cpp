@@ -40,9 +40,9 @@ std::optional<std::array<int, N>> read_list(std::string_view text, char separato
 
 }  // namespace
 
-double FrameRange::time(std::int64_t frame) const {
+double FrameRange::time(std::int64_t frame, bool loop) const {
     if (first == last) return 0;
-    return static_cast<double>(frame - first) / static_cast<double>(last - first);
+    return static_cast<double>(frame - first) / static_cast<double>(last - first + (loop ? 1 : 0));
 }
 
 PictureSize parse_size(const std::string& text) {

@@ -28,8 +28,9 @@ struct FrameRange {
     std::int64_t last = 0;
 
     std::uint64_t count() const { return static_cast<std::uint64_t>(last - first) + 1; }
-    /// 0 at the first frame, 1 at the last; 0 when there is one frame only.
-    double time(std::int64_t frame) const;
+    /// 0 at the first frame, 1 at the last; 0 when there is one frame only. In a loop 1 would be at
+    /// the frame after the last, which the first stands for.
+    double time(std::int64_t frame, bool loop = false) const;
 };
 
 /// Each throws UsageError that says what is expected.

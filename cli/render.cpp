@@ -64,6 +64,9 @@ void add_view_options(CLI::App& app, RenderJob& job) {
            "An animation: `frame` runs from A to B, `time` from 0 to 1; with -o out-%04d.png")
         ->type_name("A..B")
         ->group(group);
+    app.add_flag("--loop", job.loop,
+                 "With --frames: `time` stays below 1, so that the first frame follows the last")
+        ->group(group);
 }
 
 Level parse_level(const std::string& text) {

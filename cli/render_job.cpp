@@ -22,6 +22,7 @@ constexpr std::uint64_t most_frames_known = 100'000;
 
 /// Options that contradict each other.
 void check_options(const RenderJob& job) {
+    if (job.loop && !job.frames) throw UsageError("--loop goes with --frames");
     const ErrorOptions& error = job.error;
     if (!error.any()) {
         if (error.no_audit)
@@ -260,7 +261,8 @@ ExitCode run(const RenderJob& job, Session& session) {
     Rendering rendering(job, session);
     for (std::int64_t frame = frames.first; frame <= frames.last; ++frame) {
         if (frame > last_known) will_write(frame);
-        rendering.render(static_cast<double>(frame), frames.time(frame), names.name(frame));
+        rendering.render(static_cast<double>(frame), frames.time(frame, job.loop),
+                         names.name(frame));
     }
     rendering.finish(fmt::format("wrote {} pictures, {} to {}", frames.count(),
                                  names.name(frames.first), names.name(frames.last)));

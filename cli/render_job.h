@@ -21,6 +21,7 @@ struct RenderJob {
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
+    bool loop = false;     ///< the last frame comes before the first again
     bool preview = false;  ///< one ray per pixel, a quarter of the width and of the height
     bool aov = false;
     bool quiet = false;

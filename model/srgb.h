@@ -1,7 +1,10 @@
 // The sRGB transfer curve, IEC 61966-2-1: what stands in an 8-bit file against light.
 #pragma once
 
+#include <cstdint>
+
 #include "model/elementary.h"
+#include "model/math.h"
 
 namespace lancer {
 
@@ -13,6 +16,14 @@ inline double srgb_encode(double light) {
 /// The sRGB-encoded value in [0, 1] to linear light in [0, 1].
 inline double srgb_decode(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : elementary::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/// Linear light of a colour 0xrrggbb.
+inline Vec3d srgb_color(std::uint32_t rgb) {
+    const auto part = [rgb](int shift) {
+        return srgb_decode(static_cast<double>((rgb >> shift) & 0xFF) / 255.0);
+    };
+    return {part(16), part(8), part(0)};
 }
 
 }  // namespace lancer

@@ -56,6 +56,8 @@ struct tell_boolean {
 using Kind = ast::Statement::Kind;
 
 // clang-format off
+template <> struct action<in_place_word>  : tell<&Builder::begin_in_place> {};
+template <> struct action<in_place>       : tell_that<&Builder::end_in_place> {};
 template <> struct action<line_comment>   : tell<&Builder::comment> {};
 template <> struct action<block_comment>  : tell<&Builder::comment> {};
 template <> struct action<comment_open>   : tell_begin<&Builder::comment_open> {};

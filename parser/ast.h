@@ -46,6 +46,8 @@ enum class Op : std::uint8_t {
     or_end,
     choose,  ///< condition false: jump to the third operand
     jump,    ///< after the second operand: past the third
+    skip,    ///< jump over the steps of the block in place that comes next
+    block,   ///< a material or texture in place; payload: index into File::statements
     // Lists that are computed: the elements gather on the stack.
     gather,        ///< payload: the count of elements before the first computed one
     bound,         ///< refuses what is no whole number

@@ -29,10 +29,7 @@ std::string hint_for_value(const Field& field, const Value& value) {
         return suggestion.hint();
     }
     const bool color = field.takes.starts_with("a colour");
-    if (color && value.is(Value::Kind::text)) {
-        const std::string_view called = habits::color_called(value.text());
-        return called.empty() ? "" : "colours have no names: write " + std::string(called);
-    }
+    if (color && value.is(Value::Kind::text)) return habits::color_called(value.text());
     if (color && value.is_number()) {
         const std::string part = to_text(std::abs(value.number()));
         return "a grey is written [" + part + ", " + part + ", " + part + "]";

@@ -155,6 +155,27 @@ std::uint32_t Evaluator::make_inline_material(const ast::File& file,
     return result;
 }
 
+Value Evaluator::block_in_place(const ast::File& file, std::uint32_t index) {
+    const ast::Statement& statement = file.statements[index];
+    const SourceSpan place = file.span(statement);
+    // The one recursion of the evaluator: a function may hold a block whose property calls it.
+    if (in_place_ >= meter_.limits().nesting) {
+        report_.error(Message::nesting_limit, place, meter_.limits().nesting);
+        throw StopReading{};
+    }
+    meter_.statement(place);
+    mark_executed(file, index);
+    const BlockWord& word = *program_.vocabulary.block(statement.word, no_symbol);
+    BlockReader reader(*this, file, statement, word);
+    std::uint32_t result = none;
+    ++in_place_;
+    maker_of (*word.info)(reader, result);
+    --in_place_;
+    if (result == none) return {};
+    return word.keyword == program_.vocabulary.material ? Value::material(result)
+                                                        : Value::texture(result);
+}
+
 bool Evaluator::is_repeated(std::string_view word, SourceSpan& first, const SourceSpan& place) {
     if (first.file == SourceSpan::nowhere) {
         first = place;

@@ -185,6 +185,7 @@ void Builder::end_body(const char* at, bool closed) {
             cut_short_ = offset_of(at) >= text_.size();
         }
     }
+    last_brace_ = at + (closed ? 1 : 0);
     const ast::Range body = flush(context.pending);
     ast::Statement& owner = building_.back();
     owner.damaged |= context.damaged;

@@ -45,6 +45,9 @@ class Builder {
     /// Reports a word such as `var` before a name and `=`; its length with the blanks behind it, 0
     /// when there is none.
     std::size_t report_declarator(const char* at);
+    /// `material {` or `texture {` where a value may stand: not in the head of `for` and `if`,
+    /// whose own braces these may be.
+    bool is_block_in_place(const char* at);
     /// A colour or block written as another language would where a value should stand.
     bool is_foreign_value(const char* at);
     /// Throws where a statement of another language begins.
@@ -70,7 +73,8 @@ class Builder {
         const char* at = nullptr;
         std::size_t building = 0, pending = 0, contexts = 0, arguments = 0, steps = 0,
                     operators = 0, bases = 0, branches = 0, counts = 0, brackets = 0, labels = 0,
-                    callees = 0, values = 0, else_marks = 0, clauses = 0, computed = 0;
+                    callees = 0, values = 0, else_marks = 0, clauses = 0, computed = 0, skips = 0,
+                    statements = 0;
         std::uint64_t nesting = 0;
     };
     Mark mark(const char* at) const;
@@ -107,6 +111,8 @@ class Builder {
     void end_alternatives();
     void begin_value(const char* at);
     void end_value();
+    void begin_in_place(const char* begin, const char* end);
+    void end_in_place();
     // builder_computed.cpp
     void begin_computed(const char* at);
     void each_word(const char* begin, const char* end);
@@ -205,6 +211,7 @@ class Builder {
     std::vector<std::uint32_t> branches_;
     std::vector<Listed> counts_;
     std::vector<Clause> clauses_;
+    std::vector<std::uint32_t> skips_;   ///< of blocks in place
     std::vector<std::size_t> computed_;  ///< the first clause of each
     std::vector<const char*> brackets_;
     std::vector<ast::Argument> labels_;
@@ -213,7 +220,8 @@ class Builder {
     std::vector<std::size_t> else_marks_;
     ast::Expression last_value_;
     std::uint64_t nesting_ = 0;
-    const char* last_end_;  ///< of the last token of an expression
+    const char* last_brace_ = nullptr;  ///< behind the last `}` of a body
+    const char* last_end_;              ///< of the last token of an expression
     const char* comment_open_ = nullptr;
     const char* string_open_ = nullptr;
     const char* declarator_end_ = nullptr;  ///< where a reported `var` was followed by a name

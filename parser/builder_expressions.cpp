@@ -211,6 +211,38 @@ void Builder::end_alternatives() {
     branches_.pop_back();
 }
 
+bool Builder::is_block_in_place(const char* at) {
+    const std::string_view word = word_at(at);
+    const Symbol symbol = word.empty() ? no_symbol : symbols_.intern(word);
+    if (symbol != vocabulary_.material && symbol != vocabulary_.texture) return false;
+    if (scan::next_token(text_, offset_of(at) + word.size()).kind != scan::Token::Kind::open_brace)
+        return false;
+    if (building_.empty()) return true;
+    const ast::Statement& around = building_.back();
+    const bool has_body =
+        around.kind == ast::Statement::Kind::loop || around.kind == ast::Statement::Kind::choice;
+    return !has_body || (!brackets_.empty() && offset_of(brackets_.back()) > around.offset);
+}
+
+/// Its statements have steps of their own, over which the expression around goes on.
+void Builder::begin_in_place(const char* begin, const char* end) {
+    skips_.push_back(static_cast<std::uint32_t>(file_.steps.size()));
+    emit(Op::skip, begin, end, 0);
+    begin_statement(ast::Statement::Kind::block, begin, end);
+}
+
+void Builder::end_in_place() {
+    ast::Step block = file_.steps[skips_.back()];
+    file_.steps[skips_.back()].payload = file_.steps.size();
+    skips_.pop_back();
+    block.op = Op::block;
+    block.payload = file_.statements.size();
+    file_.steps.push_back(block);
+    file_.statements.push_back(building_.back());
+    building_.pop_back();
+    last_end_ = last_brace_;
+}
+
 void Builder::begin_value(const char* at) {
     const auto begin = static_cast<std::uint32_t>(file_.steps.size());
     values_.push_back({begin, begin, offset_of(at), 0});

@@ -34,11 +34,13 @@ void Evaluator::define_callable(const ast::File& file, const ast::Statement& sta
     binding.place = place;
     binding.file = &file;
     binding.definition = &statement;
-    if (is_template &&
-        (vocabulary.is_block(statement.name) || vocabulary.in_statements().knows(statement.name))) {
+    if (is_template && vocabulary.in_statements().knows(statement.name)) {
         report_.error(Message::template_takes_word, place, text(statement.name));
         return;
     }
+    if (is_template && vocabulary.is_block(statement.name))
+        report_.warning(Message::template_and_block, place, text(statement.name),
+                        text(statement.name));
     if (statement.name < functions_.size() && functions_[statement.name] != nullptr)
         report_.warning(Message::hides_function, place, text(statement.name));
     const auto parameters =
@@ -143,6 +145,8 @@ void Evaluator::execute_call(const ast::File& file, const ast::Statement& statem
     if (callee == nullptr) {
         if (name < functions_.size() && functions_[name] != nullptr) {
             report_.error(Message::function_as_statement, place, text(name));
+        } else if (program_.vocabulary.is_block(name)) {
+            report_.error(Message::block_as_call, place, text(name));
         } else if (scopes_.find(name) != nullptr) {
             report_undefined(Message::not_a_template, place, name, true);
         } else {

@@ -66,6 +66,8 @@ class Evaluator {
                            const std::string& problem);
     /// The material of a shape or group that holds it itself; `none` after an error.
     std::uint32_t make_inline_material(const ast::File& file, const ast::Statement& statement);
+    /// A material or texture that stands where a value does.
+    Value block_in_place(const ast::File& file, std::uint32_t statement);
     /// Reports a second camera of a name.
     bool is_new_camera(const std::string& name, const SourceSpan& place);
     /// Reports a second statement of a kind that may stand once; `first` remembers the first.
@@ -222,6 +224,7 @@ class Evaluator {
     std::vector<Label> labels_;  ///< of arguments on the stack
     std::vector<Iteration> iterations_;
     std::vector<std::size_t> gathers_;  ///< where on the stack the elements of each list begin
+    std::uint64_t in_place_ = 0;        ///< blocks in place that are being read, within each other
     std::vector<Value> literals_;       ///< strings by symbol, so that each is made once
     std::vector<Frame> frames_;
     std::vector<Group> groups_;

@@ -18,10 +18,8 @@ Value Evaluator::pop() {
 
 /// A colour from 0xrrggbb.
 static Value color_value(std::uint32_t rgb) {
-    const auto part = [&](int shift) {
-        return srgb_decode(static_cast<double>((rgb >> shift) & 0xFF) / 255.0);
-    };
-    return {part(16), part(8), part(0)};
+    const Vec3d light = srgb_color(rgb);
+    return {light.x, light.y, light.z};
 }
 
 /// After a condition that is no bool nothing is known: the whole expression is broken.
@@ -169,6 +167,10 @@ void Evaluator::take(Run& run, const ast::Step& step) {
             }
             break;
         }
+        case Op::block:
+            stack_.push_back(block_in_place(file, static_cast<std::uint32_t>(step.payload)));
+            break;
+        case Op::skip:
         case Op::jump:
             run.at = step.low();
             break;

@@ -6,8 +6,10 @@
 
 #include "model/math.h"
 #include "model/srgb.h"
+#include "parser/css_colors.h"
 #include "parser/list_functions.h"
 #include "parser/random.h"
+#include "parser/suggest.h"
 
 namespace lancer {
 namespace {
@@ -215,6 +217,25 @@ Value srgb(std::string_view name, Arguments a, const Site& site) {
     return {c[0], c[1], c[2]};
 }
 
+Value css(std::string_view name, Arguments a, const Site& site) {
+    if (!a[0].is(Value::Kind::text)) return takes(name, "a string", a[0], site);
+    std::string wanted(a[0].text());
+    for (char& c : wanted)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (const CssColor* color = css_color(wanted)) {
+        const Vec3d light = srgb_color(color->srgb);
+        return {light.x, light.y, light.z};
+    }
+    Diagnostic* error =
+        site.report.error(Message::css_unknown, site.place, std::string(a[0].text()));
+    if (error != nullptr) {
+        Suggestion suggestion(wanted);
+        for (const CssColor& color : css_colors()) suggestion.consider(color.name);
+        error->hint = suggestion.hint();
+    }
+    return {};
+}
+
 Value rand(std::string_view name, Arguments a, const Site& site) {
     RandomHash hash;
     for (const Value& v : a) {
@@ -296,6 +317,8 @@ constexpr Function functions[] = {
     {"cross", 2, 2, "a, b", "vector product", cross_of},
     {"len", 1, 1, "x", "how many elements a list has, or characters a string", len},
     {"srgb", 3, 3, "r, g, b", "a colour given in sRGB, 0 to 1, as linear RGB", srgb},
+    {"css", 1, 1, "name",
+     "one of the 148 colours of the web by its name, \"tomato\", as linear RGB", css},
     {"rand", 1, any_count, "a, ...", "a number in [0, 1) that depends on the arguments alone",
      rand},
     {"str", 1, 1, "x", "a value as a string", str},

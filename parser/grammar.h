@@ -71,6 +71,7 @@ struct color              : p::if_must<p::one<'#'>, color_digits_needed> {};
 // --- 3. Expressions ----------------------------------------------------------------------------
 // One flat chain of operands and operators; which binds tighter is a table (operators.h).
 
+struct body;
 struct expression;
 struct expression_needed : p::seq<expression> {};
 struct value_begin       : p::success {};   // marks where an expression that a statement owns begins
@@ -131,7 +132,11 @@ struct function_call       : p::seq<call_open, ws,
 struct plain_name          : p::success {};
 struct name_or_call        : p::seq<p::not_at<next_block>, callee, ws, p::sor<nested<function_call, '('>, plain_name>> {};
 
-struct primary : p::sor<number, name_or_call, nested<list, '['>, nested<parenthesised, '('>, string, color,
+struct in_place_word       : p::seq<name> {};
+struct in_place_braces     : p::seq<open_curly, ws, body> {};
+struct in_place            : p::seq<block_in_place, in_place_word, ws, nested<in_place_braces>> {};
+
+struct primary : p::sor<number, in_place, name_or_call, nested<list, '['>, nested<parenthesised, '('>, string, color,
                         true_word, false_word> {};
 
 struct component           : p::seq<p::one<'x', 'y', 'z'>, p::not_at<p::identifier_other>> {};
@@ -165,7 +170,6 @@ struct declared_name        : p::seq<name> {};
 struct declared_name_needed : p::seq<declared_name> {};
 struct equals_needed        : p::seq<p::one<'='>, ws> {};
 
-struct body;
 struct block_open_needed : p::seq<open_curly, ws> {};
 struct braces            : p::seq<p::must<block_open_needed>, body> {};
 
@@ -229,7 +233,7 @@ struct block_braces      : p::seq<open_curly, ws, body> {};
 struct whole_block       : p::seq<p::at<block_head>, p::not_at<plain_property>, block_word, ws, p::opt<block_name, ws>,
                                   nested<block_braces>> {};
 struct loose_braces      : p::seq<block_open_or_property, body> {};
-struct headless_block    : p::seq<p::at<known_block>, p::not_at<known_property>, block_word, ws,
+struct headless_block    : p::seq<p::at<known_block, ws, p::not_at<open_round>>, p::not_at<known_property>, block_word, ws,
                                   p::opt<p::not_at<property_of_block>, block_name, ws>,
                                   nested<loose_braces>> {};
 struct block             : p::sor<whole_block, headless_block> {};

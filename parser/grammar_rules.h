@@ -101,6 +101,15 @@ struct value_left_out : builder_rule<value_left_out> {
     }
 };
 
+/// A material or texture in place where an operand stands.
+struct block_in_place : builder_rule<block_in_place> {
+    template <class In>
+    static bool test(In& in, Builder& builder) {
+        return !in.empty() && (*in.current() == 'm' || *in.current() == 't') &&
+               builder.is_block_in_place(in.current());
+    }
+};
+
 /// What has no value here but has one elsewhere: a colour behind `rgb`, a block in place.
 struct foreign_value : builder_rule<foreign_value> {
     template <class In>
@@ -247,6 +256,8 @@ template <class Name>
 struct analyze_traits<Name, lancer::grammar::plain_property> : analyze_opt_traits<> {};
 template <class Name>
 struct analyze_traits<Name, lancer::grammar::next_block> : analyze_opt_traits<> {};
+template <class Name>
+struct analyze_traits<Name, lancer::grammar::block_in_place> : analyze_opt_traits<> {};
 template <class Name>
 struct analyze_traits<Name, lancer::grammar::known_block> : analyze_any_traits<> {};
 template <class Name>

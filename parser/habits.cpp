@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "parser/css_colors.h"
 #include "parser/scan.h"
 
 namespace lancer::habits {
@@ -151,27 +152,6 @@ constexpr Entry words[] = {
     {"TAU", "write 'tau'"},
 };
 
-constexpr Entry colors[] = {
-    {"black", "[0, 0, 0]"},
-    {"white", "[1, 1, 1]"},
-    {"red", "[1, 0, 0]"},
-    {"green", "[0, 1, 0]"},
-    {"blue", "[0, 0, 1]"},
-    {"yellow", "[1, 1, 0]"},
-    {"cyan", "[0, 1, 1]"},
-    {"magenta", "[1, 0, 1]"},
-    {"gray", "[0.5, 0.5, 0.5]"},
-    {"grey", "[0.5, 0.5, 0.5]"},
-    {"orange", "[1, 0.5, 0]"},
-    {"brown", "[0.4, 0.2, 0.1]"},
-    {"pink", "[1, 0.6, 0.7]"},
-    {"purple", "[0.5, 0, 0.5]"},
-    {"violet", "[0.5, 0.2, 0.8]"},
-    {"gold", "[1, 0.7, 0.2]"},
-    {"silver", "[0.75, 0.75, 0.75]"},
-    {"turquoise", "[0.2, 0.9, 0.8]"},
-};
-
 constexpr Entry directives[] = {
     {"include", "write 'include \"file.lancer\"', without '#'"},
     {"declare", "a value gets its name by 'let name = ...'"},
@@ -259,8 +239,10 @@ bool announces_color(std::string_view word) {
     return is_one_of(all, word);
 }
 
-std::string_view color_called(std::string_view name) {
-    return find(colors, lower(name));
+std::string color_called(std::string_view name) {
+    const CssColor* color = css_color(lower(name));
+    return color == nullptr ? ""
+                            : "a colour has its name in css(\"" + std::string(color->name) + "\")";
 }
 
 bool is_unit(std::string_view word) {

@@ -26,8 +26,8 @@ bool declares(std::string_view word);
 
 /// A word before the numbers of a colour elsewhere: `rgb <1, 0, 0>`.
 bool announces_color(std::string_view word);
-/// The colour of this name as the language writes it, "[1, 0, 0]"; empty when it is none.
-std::string_view color_called(std::string_view name);
+/// The hint for a colour that is written as its name alone; empty when it is none.
+std::string color_called(std::string_view name);
 
 /// `mm`, `deg` and the like.
 bool is_unit(std::string_view word);

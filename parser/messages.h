@@ -51,7 +51,8 @@ namespace lancer {
     M(function_as_statement,  "'{}' is a function: its value is not used here") \
     M(not_a_template,         "'{}' is not a template: it cannot be called") \
     M(template_in_expression, "'{}' is a template: it stands as a statement and has no value") \
-    M(template_takes_word,    "a template cannot be called '{}', as a block or property is") \
+    M(template_takes_word,    "a template cannot be called '{}', as a property of groups is") \
+    M(block_as_call,          "'{}' is a block: what it holds stands in braces") \
     M(param_not_at_top,       "a param stands at file level only") \
     /* Calls */ \
     M(missing_argument,       "'{}' needs a value for '{}'") \
@@ -77,6 +78,7 @@ namespace lancer {
     M(not_a_list,             "{} has no elements") \
     M(no_member,              "{} has no component '{}'") \
     M(list_depth,             "lists nested more than {} levels deep") \
+    M(css_unknown,            "the web has no colour '{}'") \
     /* Statements */ \
     M(range_bound,            "a range goes from one whole number to another, not to or from {}") \
     M(range_step_zero,        "the step of range() is zero") \
@@ -143,6 +145,7 @@ namespace lancer {
     /* Command line */ \
     M(unknown_definition,     "-D {}: the scene has no param of this name") \
     /* Warnings */ \
+    M(template_and_block,     "'{}' is a block, too: '{}(...)' calls this template") \
     M(hides_function,         "'{}' is a function of the language, too: from here on this one is called") \
     M(color_far_above_white,  "the colour {} is far brighter than white") \
     M(fov_of_radians,         "a field of view of {} degrees is that of a telescope") \

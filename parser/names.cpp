@@ -40,8 +40,8 @@ void Evaluator::report_undefined(Message message, const SourceSpan& place, Symbo
         if (is_later) error->hint = "a name is defined before its use";
         return;
     }
-    if (const std::string_view color = habits::color_called(text(name)); !color.empty()) {
-        error->hint = "colours have no names: write " + std::string(color);
+    if (std::string color = habits::color_called(text(name)); !color.empty() && !functions) {
+        error->hint = std::move(color);
         return;
     }
     if (const std::string_view instead = habits::instead_of(text(name)); !instead.empty()) {

@@ -59,6 +59,8 @@ Builder::Mark Builder::mark(const char* at) const {
             else_marks_.size(),
             clauses_.size(),
             computed_.size(),
+            skips_.size(),
+            file_.statements.size(),
             nesting_};
 }
 
@@ -171,6 +173,8 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     else_marks_.resize(mark.else_marks);
     clauses_.resize(mark.clauses);
     computed_.resize(mark.computed);
+    skips_.resize(mark.skips);
+    file_.statements.resize(mark.statements);
     nesting_ = mark.nesting;
     if (error.message == Message::comment_not_closed) return text_.data() + text_.size();
 

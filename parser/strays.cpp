@@ -121,7 +121,7 @@ bool Builder::is_foreign_value(const char* at) {
     const std::string_view word = word_at(at);
     if (word.empty()) return false;
     Token next = scan::next_token(text_, offset_of(at) + word.size());
-    if (next.kind == Token::Kind::open_brace) return knows_block(word);
+    if (next.kind == Token::Kind::open_brace) return knows_block(word) && !is_block_in_place(at);
     if (!habits::announces_color(word)) return false;
     // `rgb[0]` and `rgb < 1` are values; with a comma inside it is a colour.
     const bool angle = text_of(next) == "<";
@@ -167,8 +167,6 @@ std::string Builder::value_hint(std::size_t at) const {
         return habits::vector_hint(until(text_of(open) == "<" ? '>' : ']', open.end), "a colour",
                                    "red, green, blue");
     }
-    if (found == "texture")
-        return "a texture is made before, with a name: 'texture wall { ... }', then 'color wall'";
     if (found == "+" || found == "-" || found == "*" || found == "/")
         return "values do not change: another value has another name";
     return {};

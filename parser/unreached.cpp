@@ -29,6 +29,7 @@ void Evaluator::check_names(const ast::File& file, const ast::Expression& expres
     if (lone_word && expression.end - expression.begin == 1) return;
     for (std::uint32_t i = expression.begin; i < expression.end; ++i) {
         const ast::Step& step = file.steps[i];
+        if (step.op == ast::Op::skip) i = step.low();  // these statements are looked at themselves
         const bool call = step.op == ast::Op::call;
         if (!call && step.op != ast::Op::name) continue;
         const Symbol name = step.low();

@@ -38,6 +38,8 @@ TEST(Arguments, BothEndsOfARangeOfFramesBelongToIt) {
     EXPECT_EQ(frames.time(-2), 0);
     EXPECT_EQ(frames.time(3), 0.5);
     EXPECT_EQ(frames.time(8), 1);
+    EXPECT_EQ(parse_frames("1..4").time(4, true), 0.75);
+    EXPECT_EQ(parse_frames("1..4").time(1, true), 0);
     EXPECT_EQ(parse_frames("7..7").time(7), 0) << "one frame alone begins the animation";
     for (const char* wrong :
          {"", "1", "1..", "..2", "1...2", "2..1", "1..2.5", "a..b", "0..9999999999999999999"})

@@ -87,6 +87,7 @@ TEST_F(Render, FramesBecomePicturesAndTheFrameMovesTheBall) {
 TEST_F(Render, TimeRunsFromZeroToOneOverTheFrames) {
     place_.write("a.lancer", small_scene() + "print frame, time\n");
     EXPECT_EQ(render({"--frames", "2..4"}).err, "2 0\n3 0.5\n4 1\n");
+    EXPECT_EQ(render({"--frames", "2..5", "--loop"}).err, "2 0\n3 0.25\n4 0.5\n5 0.75\n");
     EXPECT_EQ(render({}).err, "0 0\n");
 }
 
@@ -267,6 +268,7 @@ TEST_F(Render, WrongUseIsToldApart) {
          std::vector<std::vector<std::string>>{{"--bogus"},
                                                {"--size", "3"},
                                                {"--frames", "3..1"},
+                                               {"--loop"},
                                                {"--samples", "0"},
                                                {"--threads", "-1"},
                                                {"--max-depth", "1e3"},
