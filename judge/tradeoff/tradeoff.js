@@ -25,6 +25,8 @@
       e.addEventListener("focusin", () => show(e.dataset.setting));
       e.addEventListener("click", (event) => {
         show(e.dataset.setting);
+        // An address to pass on, without a jump.
+        history.replaceState(null, "", `#${details.get(e.dataset.setting).id}`);
         event.preventDefault();
       });
     }
@@ -48,7 +50,8 @@
       const point = next();
       if (point) point.focus();
     });
-    show([...details].find(([, d]) => d.classList.contains("first"))[0]);
+    const asked = [...details].find(([, d]) => `#${d.id}` === location.hash);
+    show((asked || [...details].find(([, d]) => d.classList.contains("first")))[0]);
   }
 
   document.getElementById("theme").addEventListener("click", () => {

@@ -94,6 +94,9 @@ class TradeOffPage(unittest.TestCase):
         advised = self.page.run("return document.querySelector('.advice a').dataset.setting")
         self.page.click(".advice a")
         self.assertEqual(self.shown(), advised)
+        self.page.open(self.page.run("return location.href"))
+        self.page.run("location.reload()")
+        self.assertEqual(self.shown(), advised, "its address leads there")
 
     def test_nothing_is_wider_than_a_telephone(self):
         self.page.run("document.body.style.width = '400px'")
