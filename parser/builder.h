@@ -174,6 +174,12 @@ class Builder {
         std::uint32_t step = 0;       ///< whose payload is to be completed
     };
 
+    /// A block in place that is being read: what there was before it.
+    struct Skip {
+        std::uint32_t step = 0;
+        std::size_t arguments = 0, statements = 0;
+    };
+
     ast::Expression take_value();
     void emit_each(ast::Op op, const ast::Expression& place);
     void emit_of(ast::Op op, const ast::Expression& place);
@@ -211,7 +217,7 @@ class Builder {
     std::vector<std::uint32_t> branches_;
     std::vector<Listed> counts_;
     std::vector<Clause> clauses_;
-    std::vector<std::uint32_t> skips_;   ///< of blocks in place
+    std::vector<Skip> skips_;
     std::vector<std::size_t> computed_;  ///< the first clause of each
     std::vector<const char*> brackets_;
     std::vector<ast::Argument> labels_;

@@ -226,15 +226,22 @@ bool Builder::is_block_in_place(const char* at) {
 
 /// Its statements have steps of their own, over which the expression around goes on.
 void Builder::begin_in_place(const char* begin, const char* end) {
-    skips_.push_back(static_cast<std::uint32_t>(file_.steps.size()));
+    skips_.push_back({static_cast<std::uint32_t>(file_.steps.size()), file_.arguments.size(),
+                      file_.statements.size()});
     emit(Op::skip, begin, end, 0);
     begin_statement(ast::Statement::Kind::block, begin, end);
 }
 
 void Builder::end_in_place() {
-    ast::Step block = file_.steps[skips_.back()];
-    file_.steps[skips_.back()].payload = file_.steps.size();
+    const Skip skip = skips_.back();
     skips_.pop_back();
+    ast::Step block = file_.steps[skip.step];
+    file_.steps[skip.step].payload = file_.steps.size();
+    // What stands around may be reading arguments of its own. These are of calls that have no
+    // place in a block of properties.
+    for (std::size_t i = skip.statements; i < file_.statements.size(); ++i)
+        file_.statements[i].arguments = {};
+    file_.arguments.resize(skip.arguments);
     block.op = Op::block;
     block.payload = file_.statements.size();
     file_.steps.push_back(block);

@@ -64,6 +64,16 @@ TEST(InPlace, AfterASyntaxErrorReadingGoesOn) {
     }
 }
 
+TEST(InPlace, CallsThatHaveNoPlaceInOneAreNotArgumentsOfWhatIsAround) {
+    for (const char* text :
+         {"func f(x) = texture { g(1) } let a = f(1)", "def f(x, y = material { g(1) }) { } f(2)",
+          "def f(x) { } f(material { g(1, 2) })", "print 1, material { g(1) }"}) {
+        const auto result = run(text);
+        ASSERT_EQ(result.found.size(), 1u) << text << '\n' << result.messages;
+        EXPECT_EQ(result.found.at(0).message.find("'g' is not a property"), 0u);
+    }
+}
+
 TEST(InPlace, WithinThemselvesForEverIsAnError) {
     const auto result =
         run("func f(x) = texture { gradient [0, 1, 0] stops [[0, texture { gradient [0, 1, f(x)]"
