@@ -50,8 +50,13 @@ void show_reservations(const reference::ExportResult& result, const Scene& scene
                         {}};
         if (c.resolution == reference::Coincidence::Resolution::none)
             both.hint = "move one of the two a little";
-        both.notes.push_back(
-            {Severity::note, scene.objects[c.first].place, "the other object", "", {}});
+        if (c.first == c.second)
+            both.message =
+                "faces of two parts of this body lie in one place; POV-Ray finds one of the two by "
+                "no rule (coincident-surfaces)";
+        else
+            both.notes.push_back(
+                {Severity::note, scene.objects[c.first].place, "the other object", "", {}});
         found.push_back(std::move(both));
     }
     for (const reference::KnownDifference& d : result.known_differences) {

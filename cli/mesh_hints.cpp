@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "model/parts.h"
 #include "model/smoothing.h"
 
 namespace lancer::cli {
@@ -12,13 +13,13 @@ std::vector<Diagnostic> smoothed_edges(const Scene& scene) {
     constexpr double sharp = 60;
     std::vector<Diagnostic> found;
     std::set<std::uint32_t> seen;  // meshes
-    for (const Object& object : scene.objects) {
+    for_each_part(scene, [&](const Object& object) {
         const auto* ref = std::get_if<MeshRef>(&object.shape);
-        if (ref == nullptr || !ref->smooth || !seen.insert(ref->mesh).second) continue;
+        if (ref == nullptr || !ref->smooth || !seen.insert(ref->mesh).second) return;
         const Mesh& mesh = *scene.meshes[ref->mesh];
-        if (!mesh.normals.empty()) continue;
+        if (!mesh.normals.empty()) return;
         const std::size_t count = count_sharp_edges(mesh, sharp);
-        if (count == 0) continue;
+        if (count == 0) return;
         found.push_back({Severity::warning,
                          object.place,
                          fmt::format("this mesh has no normals, so it is smoothed over all edges, "
@@ -26,7 +27,7 @@ std::vector<Diagnostic> smoothed_edges(const Scene& scene) {
                                      count, sharp),
                          "'smooth 40' keeps sharp edges, 'smooth false' all",
                          {}});
-    }
+    });
     return found;
 }
 

@@ -5,12 +5,15 @@
 #include <array>
 #include <set>
 
+#include "model/parts.h"
+
 namespace lancer::cli {
 namespace {
 
 // In the order of the variants' alternatives.
 constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
-    "sphere", "box", "cylinder", "cone", "plane", "triangle", "mesh", "patch", "lathe", "prism"};
+    "sphere", "box",   "cylinder", "cone",  "plane",    "triangle",
+    "mesh",   "patch", "lathe",    "prism", "composite"};
 constexpr std::array<std::string_view, std::variant_size_v<LightKind>> light_names{
     "point light", "directional light", "spot light"};
 
@@ -41,6 +44,12 @@ struct TrianglesOf {
     std::uint64_t operator()(const PatchRef&) const { return 0; }
     std::uint64_t operator()(const LatheRef&) const { return 0; }
     std::uint64_t operator()(const PrismRef&) const { return 0; }
+    std::uint64_t operator()(const CompositeRef& ref) const {
+        std::uint64_t sum = 0;
+        for (const Composite::Leaf& leaf : scene.composites[ref.composite].leaves)
+            sum += std::visit(*this, leaf.object.shape);
+        return sum;
+    }
 };
 
 /// Who asks: a shape with its name and its material's, or a light.
@@ -73,6 +82,7 @@ SceneSummary summarize(const Scene& scene, const SourceMap& sources) {
     for (const Object& object : scene.objects) {
         summary.triangles += std::visit(TrianglesOf{scene}, object.shape);
         materials.insert(object.material);
+        for_each_part(scene, object, [&](const Object& part) { materials.insert(part.material); });
     }
     summary.meshes = scene.meshes.size();
     summary.materials = materials.size();

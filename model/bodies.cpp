@@ -26,6 +26,7 @@ struct HasInside {
         return encloses_space(profile_curve(lathe.spline, lathe.profile));
     }
     bool operator()(const PrismRef& ref) const { return scene.prisms[ref.prism].capped; }
+    bool operator()(const CompositeRef&) const { return true; }
 };
 
 }  // namespace

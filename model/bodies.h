@@ -14,8 +14,9 @@ std::vector<std::uint32_t> first_at_same_place(const std::vector<Vec3d>& vertice
 /// n log n time, about 30 bytes per triangle.
 bool is_closed(const Mesh& mesh);
 
-/// True for a sphere, box, plane, capped cylinder, cone and prism, a closed mesh, and a lathe whose
-/// curve ends on the axis or in itself. All else is a sheet: it has no inside.
+/// True for a sphere, box, plane, capped cylinder, cone and prism, a closed mesh, a lathe whose
+/// curve ends on the axis or in itself, and what is made of such bodies. All else is a sheet: it
+/// has no inside.
 bool is_body(const Scene& scene, const Shape& shape);
 
 }  // namespace lancer

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "model/bodies.h"
+#include "model/parts.h"
 
 namespace lancer {
 namespace {
@@ -57,6 +58,16 @@ struct KindOf {
     Kind operator()(const PatchRef&) const { return {.spline = true, .interpolates = true}; }
     Kind operator()(const LatheRef&) const { return {.spline = true}; }
     Kind operator()(const PrismRef&) const { return {.spline = true}; }
+    Kind operator()(const CompositeRef& ref) const {
+        Kind all;
+        for (const Composite::Leaf& leaf : scene.composites[ref.composite].leaves) {
+            const Kind kind = std::visit(*this, leaf.object.shape);
+            all.mesh = all.mesh || kind.mesh;
+            all.spline = all.spline || kind.spline;
+            all.interpolates = all.interpolates || kind.interpolates;
+        }
+        return all;
+    }
 };
 
 class Collector {
@@ -83,7 +94,18 @@ class Collector {
     }
 
     void add_surface(const Object& object, const Demand& demand) {
-        const Material& m = scene_.materials[object.material];
+        bool transparent = false;
+        for_each_part(scene_, object, [&](const Object& part) {
+            const Material& m = scene_.materials[part.material];
+            add_face(m, demand);
+            if (!lets_light_through(scene_, m, settings_.textures)) return;
+            transparent = true;
+            add_transparent(object, m, demand);
+        });
+        add_inside(object, scene_.materials[object.material], transparent, demand);
+    }
+
+    void add_face(const Material& m, const Demand& demand) {
         if (settings_.textures && m.texture != none) {
             found_.add(Feature::textures, demand);
             if (std::holds_alternative<ImageTexture>(scene_.textures[m.texture].pattern))
@@ -95,9 +117,6 @@ class Collector {
             found_.add(Feature::reflection, demand);
             if (m.fresnel) found_.add(Feature::fresnel, demand);
         }
-        const bool transparent = lets_light_through(scene_, m, settings_.textures);
-        if (transparent) add_transparent(object, m, demand);
-        add_inside(object, m, transparent, demand);
     }
 
     void add_transparent(const Object& object, const Material& m, const Demand& demand) {
@@ -119,9 +138,11 @@ class Collector {
         if (transparent || absorbs) found_.add(Feature::media, demand);
         if (transparent && m.ior != 1) found_.add(Feature::refraction, demand);
         if (absorbs) found_.add(Feature::absorption, demand);
-        const auto* mesh = std::get_if<MeshRef>(&object.shape);
-        if (mesh != nullptr && mesh->smooth && settings_.smooth)
-            found_.add(Feature::smooth_media, demand);
+        for_each_part(scene_, object, [&](const Object& part) {
+            const auto* mesh = std::get_if<MeshRef>(&part.shape);
+            if (mesh != nullptr && mesh->smooth && settings_.smooth)
+                found_.add(Feature::smooth_media, demand);
+        });
     }
 
     /// Whether a mesh is closed takes a while to find out, so each is looked at once, and only when

@@ -51,6 +51,33 @@ struct Object {
     SourceSpan place{};  ///< of its keyword
 };
 
+/// A solid made of solids: a tree of unions, intersections and differences over bodies.
+///
+/// Its object has the identity for its transform: each leaf stands where it is in the world.
+struct Composite {
+    enum class Kind : std::uint8_t { unite, intersect, subtract };
+
+    /// What is true of a child, be it a node or a leaf.
+    struct Place {
+        std::uint32_t parent = none;  ///< index into `nodes`; `none` for the whole
+        bool first = false;           ///< of its parent's children: what the others are cut from
+    };
+    struct Node {
+        Kind kind = Kind::unite;
+        Place place;
+        std::uint32_t begin = 0;  ///< its leaves: leaves[begin..end), at least one
+        std::uint32_t end = 0;
+    };
+    struct Leaf {
+        Object object;  ///< a body; its material is that of the faces which it brings
+        Place place;
+        std::uint32_t texture_space = 0;  ///< index into Scene::transforms: where its texture lies
+    };
+
+    std::vector<Node> nodes;   ///< nodes[0] is the whole; a parent comes before its children
+    std::vector<Leaf> leaves;  ///< in the order of declaration
+};
+
 struct Scene {
     int width = 640;
     int height = 480;
@@ -70,6 +97,7 @@ struct Scene {
     std::vector<Patch> patches;
     std::vector<Lathe> lathes;
     std::vector<Prism> prisms;
+    std::vector<Composite> composites;  ///< each is shown by one object
     std::vector<std::string> names;
     std::vector<std::string> material_names;  ///< of materials[i]; may be shorter or empty
 };

@@ -81,9 +81,14 @@ struct PrismRef {
     std::uint32_t prism = 0;
 };
 
+/// A solid made of solids, index into Scene::composites.
+struct CompositeRef {
+    std::uint32_t composite = 0;
+};
+
 /// The closed set of shapes. Add a line here and the build names every place still missing.
 using Shape = std::variant<Sphere, Box, Cylinder, Cone, Plane, Triangle, MeshRef, PatchRef,
-                           LatheRef, PrismRef>;
+                           LatheRef, PrismRef, CompositeRef>;
 
 /// Indexed triangles. A corner has up to three indices: its place, its normal, its texture place.
 struct Mesh {

@@ -95,6 +95,7 @@ struct Rewriter {
     bool operator()(PatchRef&) const { return false; }
     bool operator()(LatheRef&) const { return false; }
     bool operator()(PrismRef&) const { return false; }
+    bool operator()(CompositeRef&) const { return true; }  // its leaves are
 };
 
 class Changer {
@@ -111,16 +112,31 @@ class Changer {
     }
 
   private:
+    std::uint32_t changed_transform(std::uint32_t transform) {
+        const auto [entry, fresh] = transforms_.try_emplace(
+            transform, static_cast<std::uint32_t>(scene_.transforms.size()));
+        if (fresh) scene_.transforms.push_back(compose(to_.map(), scene_.transforms[transform]));
+        return entry->second;
+    }
+
+    void change(Composite& composite) {
+        for (Composite::Leaf& leaf : composite.leaves) {
+            const bool textured = scene_.materials[leaf.object.material].texture != none;
+            if (textured) leaf.texture_space = changed_transform(leaf.texture_space);
+            change(leaf.object);
+        }
+    }
+
     void change(Object& object) {
+        if (const auto* ref = std::get_if<CompositeRef>(&object.shape)) {
+            change(scene_.composites[ref->composite]);
+            return;
+        }
         const bool plain =
             object.transform == 0 && scene_.materials[object.material].texture == none;
         if (plain && std::visit(Rewriter{scene_, to_, meshes_}, object.shape)) return;
         keep_tolerance(object);
-        const auto [entry, fresh] = transforms_.try_emplace(
-            object.transform, static_cast<std::uint32_t>(scene_.transforms.size()));
-        if (fresh)
-            scene_.transforms.push_back(compose(to_.map(), scene_.transforms[object.transform]));
-        object.transform = entry->second;
+        object.transform = changed_transform(object.transform);
     }
 
     /// A patch's own tolerance bounds its distance in its own space and in the world, so it follows

@@ -76,7 +76,8 @@ std::string_view word_of(Kind kind) {
 }  // namespace
 
 std::string with_article(const std::string& title) {
-    const bool vowel = std::string_view("aeiou").find(title.front()) != std::string_view::npos;
+    const bool vowel = std::string_view("aeiou").find(title.front()) != std::string_view::npos &&
+                       !title.starts_with("uni");
     return (vowel ? "an " : "a ") + title;
 }
 

@@ -1,4 +1,6 @@
 // Runs the statements that are blocks or properties: what stands in files, groups and templates.
+#include <optional>
+
 #include "parser/block_reader.h"
 #include "parser/blocks/brightness.h"
 #include "parser/evaluator.h"
@@ -30,7 +32,8 @@ void Evaluator::execute_property(const ast::File& file, const ast::Statement& st
         return;
     }
     if (group_ != none) {
-        BlockReader::report_unknown(*this, file, statement, group.properties, "group");
+        BlockReader::report_unknown(*this, file, statement, group.properties,
+                                    std::string(text(groups_[group_].keyword)));
     } else if (vocabulary.is_block(statement.word)) {
         report_.error(Message::property_is_block, file.span(statement), word);
     } else {
@@ -94,6 +97,14 @@ void Evaluator::report_unknown_block(const ast::File& file, const ast::Statement
     }
 }
 
+/// What a block of statements makes of the bodies in it; nothing for a group.
+static std::optional<Composite::Kind> joint_of(const Vocabulary& vocabulary, Symbol keyword) {
+    if (keyword == vocabulary.unite) return Composite::Kind::unite;
+    if (keyword == vocabulary.intersect) return Composite::Kind::intersect;
+    if (keyword == vocabulary.subtract) return Composite::Kind::subtract;
+    return std::nullopt;
+}
+
 void Evaluator::execute_block(const ast::File& file, const ast::Statement& statement) {
     const Vocabulary& vocabulary = program_.vocabulary;
     const SourceSpan place = file.span(statement);
@@ -102,11 +113,13 @@ void Evaluator::execute_block(const ast::File& file, const ast::Statement& state
         report_unknown_block(file, statement);
         return;
     }
-    if (word->keyword == vocabulary.group) {
+    if (word->info->holds_statements) {
         if (statement.name != no_symbol)
-            report_.error(Message::block_takes_no_name, file.name_span(statement), "a group");
-        builder_.open_group(place);
+            report_.error(Message::block_takes_no_name, file.name_span(statement),
+                          with_article(std::string(word->info->keyword)));
+        builder_.open_group(place, joint_of(vocabulary, word->keyword));
         Group& group = groups_.emplace_back();
+        group.keyword = word->keyword;
         group.given.resize(word->properties.fields().size());
         Frame& frame = push(Frame::Kind::group, file, statement.body);
         frame.outer_group = group_;

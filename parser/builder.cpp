@@ -150,7 +150,7 @@ void Builder::begin_body() {
         case Kind::block:
             context.properties = &vocabulary_.properties(owner.word, owner.name);
             context.properties_only =
-                vocabulary_.is_block(owner.word) && owner.word != vocabulary_.group;
+                vocabulary_.is_block(owner.word) && !vocabulary_.holds_statements(owner.word);
             break;
         case Kind::def:
             context.properties = &vocabulary_.in_statements();

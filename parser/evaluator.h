@@ -82,6 +82,7 @@ class Evaluator {
     };
 
     struct Group {
+        Symbol keyword = no_symbol;  ///< group, union, intersection, difference
         Attributes attributes;
         std::vector<SourceSpan> given;  ///< by index of the property
         bool damaged = false;

@@ -13,9 +13,9 @@ namespace {
 
 using Entry = std::pair<std::string_view, std::string_view>;
 
-constexpr std::string_view no_csg =
-    "there are no solids cut from solids: a group puts shapes together, a prism or lathe has any "
-    "outline, and a mesh any form";
+constexpr std::string_view cut =
+    "difference { ... } is the first body in it without all others, intersection { ... } what all "
+    "hold";
 constexpr std::string_view no_directive = "statements are written without '#'";
 constexpr std::string_view put_together = "shapes are put together by group { ... }";
 constexpr std::string_view in_material = "what a surface looks like stands in material { ... }";
@@ -41,11 +41,8 @@ constexpr Entry words[] = {
     {"linear_extrude", "an outline drawn up is a prism { outline [...] bottom 0 top 1 }"},
     {"rotate_extrude", "an outline that is turned is a lathe { profile [...] }"},
     {"sor", "a surface of revolution is a lathe { profile [...] spline catmull_rom }"},
-    {"difference", no_csg},
-    {"intersection", no_csg},
-    {"subtract", no_csg},
-    {"union", put_together},
-    {"merge", put_together},
+    {"subtract", cut},
+    {"merge", "several bodies are made one by union { ... }"},
     {"object", put_together},
     {"translation", "'translate [x, y, z]' moves"},
     {"rotation", "rotate_x, rotate_y, rotate_z take degrees; 'rotate [axis, angle]' any axis"},

@@ -136,6 +136,9 @@ namespace lancer {
     M(outline_crosses,        "the outline crosses itself near [{}, {}]") \
     M(prism_upside_down,      "'top' must be greater than 'bottom'") \
     M(transform_singular,     "these transforms leave nothing of the object: together they are singular or out of range") \
+    M(sheet_in_body,          "{} has no inside: only bodies can be joined, intersected and cut") \
+    M(body_of_nothing,        "there is no body in this {}") \
+    M(light_in_body,          "a light is no body: it stands beside what is joined, intersected or cut") \
     /* Materials and textures */ \
     M(passes_too_much,        "'filter' + 'transmission' is {}, more than 1") \
     M(texture_patterns,       "a texture has one of 'image', 'checker' and 'gradient'") \
@@ -154,6 +157,7 @@ namespace lancer {
     M(mesh_file,              "{}") \
     M(degenerate_triangle,    "this triangle's corners are on one line: nothing is drawn") \
     M(all_points_equal,       "all points of this {} are equal: nothing is drawn") \
+    M(shadow_of_part,         "a part has no shadow of its own: 'shadow' counts where it is said of the whole body") \
     /* Notes */ \
     M(first_here,             "first here") \
     M(defined_later,          "defined here, later") \

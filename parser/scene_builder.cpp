@@ -54,7 +54,7 @@ std::uint32_t SceneBuilder::transform_index(const Transform& exact, const Source
     return static_cast<std::uint32_t>(scene.transforms.size() - 1);
 }
 
-void SceneBuilder::open_group(const SourceSpan& place) {
+void SceneBuilder::open_group(const SourceSpan& place, std::optional<Composite::Kind> joint) {
     if (groups_.empty()) {
         first_object_ = scene.objects.size();
         first_light_ = scene.lights.size();
@@ -62,6 +62,9 @@ void SceneBuilder::open_group(const SourceSpan& place) {
     count(nodes_.size(), place, "groups and moved objects within one group");
     Node node;
     node.parent = groups_.empty() ? none : groups_.back();
+    node.place = place;
+    node.joint = joint;
+    node.in_body = joint.has_value() || is_in_body();
     groups_.push_back(static_cast<std::uint32_t>(nodes_.size()));
     nodes_.push_back(node);
 }
@@ -73,15 +76,22 @@ void SceneBuilder::close_group(const Attributes& attributes) {
     node.material = attributes.material;
     node.name = name_index(attributes.name);
     node.shadow = attributes.shadow;
+    check_body(node);
     groups_.pop_back();
     if (groups_.empty()) resolve();
 }
 
 /// The outermost group is complete: nodes become world transforms, children take what they inherit.
 void SceneBuilder::resolve() {
-    for (Node& node : nodes_) {
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+        Node& node = nodes_[i];
+        const bool inherits = node.material == none && node.parent != none;
+        if (node.joint) node.whole = i;
+        if (node.joint) node.space = i;
+        if (inherits && nodes_[node.parent].space != none) node.space = nodes_[node.parent].space;
         if (node.parent == none) continue;
         const Node& parent = nodes_[node.parent];
+        if (parent.whole != none) node.whole = parent.whole;
         if (parent.moves) {
             node.map = node.moves ? compose(parent.map, node.map) : parent.map;
             node.moves = true;
@@ -90,12 +100,14 @@ void SceneBuilder::resolve() {
         if (node.name == none) node.name = parent.name;
         node.shadow = node.shadow && parent.shadow;
     }
+    std::vector<std::uint32_t> node_of;
+    std::vector<bool> own_material;
     for (std::size_t i = first_object_; i < scene.objects.size(); ++i) {
         Object& object = scene.objects[i];
-        Node& node = nodes_[object.transform];
-        if (node.transform == none)
-            node.transform = node.moves ? transform_index(node.map, object.place) : 0;
-        object.transform = node.transform;
+        const Node& node = nodes_[object.transform];
+        node_of.push_back(object.transform);
+        own_material.push_back(object.material != none);
+        object.transform = transform_of(object.transform, object.place);
         if (object.material == none) object.material = node.material;
         if (object.name == none) object.name = node.name;
         object.casts_shadow = object.casts_shadow && node.shadow;
@@ -105,18 +117,28 @@ void SceneBuilder::resolve() {
         if (node.moves && !move(scene.lights[i].kind, node.map))
             report_.error(Message::transform_singular, scene.lights[i].place);
     }
+    make_composites(node_of, own_material);
     nodes_.clear();
     light_nodes_.clear();
     make_late_parts();
 }
 
-/// Puts the parts of objects in their places, and the default material where there is no other.
+/// The node's transform in the scene.
+std::uint32_t SceneBuilder::transform_of(std::uint32_t index, const SourceSpan& place) {
+    Node& node = nodes_[index];
+    if (node.transform == none) node.transform = node.moves ? transform_index(node.map, place) : 0;
+    return node.transform;
+}
+
+/// Puts the parts of objects in their places, takes out what went into a composite, and the default
+/// material where there is no other.
 void SceneBuilder::make_late_parts() {
     const auto begin = scene.objects.begin() + static_cast<std::ptrdiff_t>(first_object_);
-    if (!late_parts_.empty()) {
+    if (!late_parts_.empty() || !absorbed_.empty()) {
         const std::vector<Object> wholes(begin, scene.objects.end());
         scene.objects.erase(begin, scene.objects.end());
         for (std::size_t i = 0; i < wholes.size(); ++i) {
+            if (!absorbed_.empty() && absorbed_[i]) continue;
             const auto late = late_parts_.find(first_object_ + i);
             if (late == late_parts_.end()) {
                 scene.objects.push_back(wholes[i]);
@@ -130,19 +152,22 @@ void SceneBuilder::make_late_parts() {
             }
         }
         late_parts_.clear();
+        absorbed_.clear();
     }
     for (std::size_t i = first_object_; i < scene.objects.size(); ++i)
         if (scene.objects[i].material == none) scene.objects[i].material = 0;
 }
 
 void SceneBuilder::add(MakeParts make, const Attributes& attributes, const SourceSpan& place) {
-    if (attributes.material == none && !groups_.empty()) {
+    // A file's materials part a mesh into sheets: a body is the whole of it.
+    const bool whole = is_in_body();
+    if (attributes.material == none && !groups_.empty() && !whole) {
         late_parts_.emplace(scene.objects.size(), std::move(make));
         add(Shape{}, attributes, place);
         return;
     }
     Attributes own = attributes;
-    for (const Part& part : make(attributes.material != none)) {
+    for (const Part& part : make(whole || attributes.material != none)) {
         if (part.material != none) own.material = part.material;
         add(part.shape, own, place);
     }
@@ -150,6 +175,7 @@ void SceneBuilder::add(MakeParts make, const Attributes& attributes, const Sourc
 
 void SceneBuilder::add(const Shape& shape, const Attributes& attributes, const SourceSpan& place) {
     count(scene.objects.size(), place, "objects");
+    if (is_in_body()) check_part(shape, attributes, place);
     Object object;
     object.shape = shape;
     object.material = attributes.material;
@@ -165,6 +191,7 @@ void SceneBuilder::add(const Shape& shape, const Attributes& attributes, const S
         Node node;
         node.map = attributes.transforms.map;
         node.moves = true;
+        node.of_object = true;
         node.parent = groups_.back();
         object.transform = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back(node);
@@ -176,6 +203,7 @@ void SceneBuilder::add(const Shape& shape, const Attributes& attributes, const S
 
 void SceneBuilder::add(const Light& light) {
     count(scene.lights.size(), light.place, "lights");
+    if (is_in_body()) report_.error(Message::light_in_body, light.place);
     scene.lights.push_back(light);
     if (!groups_.empty()) light_nodes_.push_back(groups_.back());
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -45,9 +46,9 @@ class SceneBuilder {
     std::map<std::pair<const Mesh*, bool>, std::vector<Part>> mesh_parts;
     std::unordered_set<const Mesh*> pieces;  ///< those that are one material's share of another
 
-    /// Objects and lights from here to close_group() are in a new group. What the group itself
-    /// says is known only at its end.
-    void open_group(const SourceSpan& place);
+    /// Objects and lights from here to close_group() are in a new group, or are made one body. What
+    /// the group itself says is known only at its end.
+    void open_group(const SourceSpan& place, std::optional<Composite::Kind> joint);
     void close_group(const Attributes& attributes);
 
     void add(const Shape& shape, const Attributes& attributes, const SourceSpan& place);
@@ -69,9 +70,26 @@ class SceneBuilder {
         bool shadow = true;
         bool moves = false;
         std::uint32_t transform = none;  ///< in the scene, once it is known
+        // Of groups, and what makes bodies one:
+        SourceSpan place{};
+        std::optional<Composite::Kind> joint{};
+        bool in_body = false;          ///< makes one body, or stands in what does
+        bool holds_body = false;       ///< something to make one of
+        bool of_object = false;        ///< it is no group, but the transforms of one object
+        std::uint32_t whole = none;    ///< the outermost node that makes this a part of one body
+        std::uint32_t space = none;    ///< where an inherited texture lies; none: with the object
+        std::uint32_t in_tree = none;  ///< node of the composite, once it is made
     };
 
     void resolve();
+    std::uint32_t transform_of(std::uint32_t node, const SourceSpan& place);
+    bool is_in_body() const { return !groups_.empty() && nodes_[groups_.back()].in_body; }
+    void check_part(const Shape& shape, const Attributes& attributes, const SourceSpan& place);
+    void check_body(const Node& node);
+    void make_composites(const std::vector<std::uint32_t>& node_of,
+                         const std::vector<bool>& own_material);
+    std::uint32_t tree_node(Composite& composite, std::vector<std::uint32_t>& children,
+                            std::uint32_t node);
     void make_late_parts();
     std::uint32_t name_index(const std::string& name);
     std::uint32_t transform_index(const Transform& exact, const SourceSpan& place);
@@ -87,6 +105,8 @@ class SceneBuilder {
     std::size_t first_light_ = 0;
     /// By the object of the outermost open group that stands for them.
     std::unordered_map<std::size_t, MakeParts> late_parts_;
+    std::vector<bool> absorbed_;                      ///< objects of it that went into a composite
+    std::unordered_map<std::uint32_t, bool> closed_;  ///< by mesh: whether it has an inside
 };
 
 }  // namespace lancer

@@ -51,7 +51,7 @@ void Evaluator::check_unreached(const ast::File& file) {
         if (!executed[i] && statement.kind == Kind::param)
             report_.error(Message::param_not_at_top, file.span(statement));
         const bool holds_properties =
-            statement.kind == Kind::block && statement.word != vocabulary.group;
+            statement.kind == Kind::block && !vocabulary.holds_statements(statement.word);
         if (!holds_properties) continue;
         if (!executed[i] && vocabulary.block(statement.word, statement.name) != nullptr)
             BlockReader(*this, file, statement, *vocabulary.block(statement.word, statement.name))
@@ -68,7 +68,7 @@ void Evaluator::check_unreached(const ast::File& file) {
     for (std::uint32_t i = 0; i < file.statements.size(); ++i) {
         const ast::Statement& statement = file.statements[i];
         if (executed[i]) continue;
-        if (statement.kind == Kind::block && statement.word != vocabulary.group &&
+        if (statement.kind == Kind::block && !vocabulary.holds_statements(statement.word) &&
             vocabulary.block(statement.word, statement.name) == nullptr)
             report_unknown_block(file, statement);
         if (statement.kind == Kind::call && !declared_.contains(statement.word) &&

@@ -12,6 +12,9 @@ void PropertySet::add(Symbol word, const Field& field) {
 Vocabulary::Vocabulary(Symbols& symbols)
     : light(symbols.intern("light")),
       group(symbols.intern("group")),
+      unite(symbols.intern("union")),
+      intersect(symbols.intern("intersection")),
+      subtract(symbols.intern("difference")),
       material(symbols.intern("material")),
       texture(symbols.intern("texture")) {
     for (const BlockInfo& info : all_blocks()) {
@@ -22,6 +25,8 @@ Vocabulary::Vocabulary(Symbols& symbols)
             block.keyword = symbols.intern(info.keyword);
             if (is_block_.size() <= block.keyword) is_block_.resize(block.keyword + 1);
             is_block_[block.keyword] = true;
+            holds_statements_.resize(is_block_.size());
+            holds_statements_[block.keyword] = info.holds_statements;
         }
         if (!info.kind.empty()) block.kind = symbols.intern(info.kind);
         for (const auto& part : {info.own, info.shared}) {
@@ -30,7 +35,7 @@ Vocabulary::Vocabulary(Symbols& symbols)
                 block.properties.add(word, field);
                 any_.add(word, field);
                 if (block.keyword == light) any_light_.add(word, field);
-                if (block.keyword == group || info.keyword.empty()) in_statements_.add(word, field);
+                if (info.holds_statements || info.keyword.empty()) in_statements_.add(word, field);
             }
         }
     }
@@ -47,7 +52,7 @@ const BlockWord* Vocabulary::block(Symbol keyword, Symbol name) const {
 }
 
 const PropertySet& Vocabulary::properties(Symbol keyword, Symbol name) const {
-    if (keyword == group) return in_statements_;
+    if (holds_statements(keyword)) return in_statements_;
     if (const BlockWord* found = block(keyword, name)) return found->properties;
     return keyword == light ? any_light_ : any_;
 }

@@ -40,6 +40,10 @@ class Vocabulary {
     explicit Vocabulary(Symbols& symbols);
 
     bool is_block(Symbol word) const { return word < is_block_.size() && is_block_[word]; }
+    /// A group, or what makes one body of several: a block of statements.
+    bool holds_statements(Symbol word) const {
+        return word < holds_statements_.size() && holds_statements_[word];
+    }
     /// The block with this keyword and, for a light, this kind. nullptr: there is none.
     const BlockWord* block(Symbol keyword, Symbol name) const;
     /// What the grammar takes as a property inside a block; for unknown blocks: any property.
@@ -55,11 +59,12 @@ class Vocabulary {
     bool is_property(Symbol word) const { return any_.knows(word); }
     const std::vector<BlockWord>& blocks() const { return blocks_; }
 
-    Symbol light, group, material, texture;
+    Symbol light, group, unite, intersect, subtract, material, texture;
 
   private:
     std::vector<BlockWord> blocks_;
     std::vector<bool> is_block_;
+    std::vector<bool> holds_statements_;
     const BlockWord* file_ = nullptr;
     PropertySet in_statements_;
     PropertySet any_;

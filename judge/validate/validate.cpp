@@ -35,6 +35,9 @@ std::string text_of(const reference::Coincidence& coincidence, const ValidationJ
             shown.name == none ? "" : fmt::format(" \"{}\"", job.scene->names[shown.name]);
         return fmt::format("object {}{}{}", index + 1, name, place.empty() ? "" : " at " + place);
     };
+    if (coincidence.first == coincidence.second)
+        return fmt::format("two parts of {}: {}", object(coincidence.first),
+                           reference::resolution_name(coincidence.resolution));
     return fmt::format("{} and {}: {}", object(coincidence.first), object(coincidence.second),
                        reference::resolution_name(coincidence.resolution));
 }

@@ -9,6 +9,14 @@
 namespace lancer {
 namespace blocks {
 
+const BlockInfo unite{
+    "union", "", {}, attribute_fields, "one body of several: all that any of them holds", true};
+const BlockInfo intersect{
+    "intersection", "", {}, attribute_fields, "one body of several: what all of them hold", true};
+const BlockInfo subtract{
+    "difference", "", {}, attribute_fields, "one body: the first without all that the others hold",
+    true};
+
 const BlockInfo group{"group",
                       "",
                       {},
@@ -51,6 +59,9 @@ constexpr Entry entries[] = {
     {&blocks::patch, blocks::make_patch},
     {&blocks::lathe, blocks::make_lathe},
     {&blocks::prism, blocks::make_prism},
+    {&blocks::unite, nullptr},
+    {&blocks::intersect, nullptr},
+    {&blocks::subtract, nullptr},
     {&blocks::group, nullptr},
     {&blocks::material, blocks::make_material},
     {&blocks::texture, blocks::make_texture},

@@ -39,8 +39,8 @@ void make_patch(BlockReader& block, std::uint32_t& result);
 void make_lathe(BlockReader& block, std::uint32_t& result);
 void make_prism(BlockReader& block, std::uint32_t& result);
 
-// group.cpp; the evaluator runs its statements itself
-extern const BlockInfo group;
+// blocks.cpp; the evaluator runs their statements itself
+extern const BlockInfo unite, intersect, subtract, group;
 
 // material.cpp
 extern const BlockInfo material;
@@ -74,5 +74,7 @@ template <>
 inline constexpr const BlockInfo* block_of<LatheRef> = &lathe;
 template <>
 inline constexpr const BlockInfo* block_of<PrismRef> = &prism;
+template <>
+inline constexpr const BlockInfo* block_of<CompositeRef> = &unite;  // or the two beside it
 
 }  // namespace lancer::blocks

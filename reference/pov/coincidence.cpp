@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/bodies.h"
+#include "reference/pov/composites.h"
 #include "reference/pov/materials.h"
 
 namespace lancer::reference::pov {
@@ -33,15 +34,20 @@ class Resolver {
   public:
     explicit Resolver(const Scene& scene) : scene_(scene) {
         for (const Object& object : scene.objects)
-            kinds_.push_back({is_body(scene, object.shape),
-                              lets_light_pass(scene, scene.materials[object.material])});
+            kinds_.push_back({is_body(scene, object.shape), lets_light_pass(scene, object)});
     }
 
     FacePair pair_of(Face a, Face b) const {
-        if (b.object < a.object) std::swap(a, b);
+        if (b.object < a.object || (a.object == b.object && b.part < a.part)) std::swap(a, b);
         const Kind& first = kinds_[a.object];
         const Kind& second = kinds_[b.object];
         FacePair pair{a, b, look_alike(a, b), Resolution::none};
+        if (a.object == b.object) return within(pair);
+        if (is_cutter(a) || is_cutter(b)) {
+            // Nothing is there, but where the cutter ends in a face of its own body.
+            pair.resolution = Resolution::hidden;
+            return pair;
+        }
         if (!first.body || !second.body) {
             with_sheet(pair, first, second);
         } else if (pair.alike) {
@@ -65,6 +71,36 @@ class Resolver {
     }
 
   private:
+    bool is_cutter(const Face& face) const {
+        if (face.part == none) return false;
+        const Composite& whole = composite_of(face.object);
+        return is_subtracted(whole, whole.leaves[face.part]);
+    }
+    const Composite& composite_of(std::uint32_t object) const {
+        return scene_.composites[std::get<CompositeRef>(scene_.objects[object].shape).composite];
+    }
+
+    /// Two parts of one body: a cutter that ends in a face reaches out of it, parts that are glued
+    /// overlap, and of two faces that look the same way the first declared shows.
+    FacePair within(FacePair pair) const {
+        const bool cuts = is_cutter(pair.front);
+        if (cuts != is_cutter(pair.back)) {
+            if (!pair.alike) return pair;
+            if (!cuts) std::swap(pair.front, pair.back);
+            pair.resolution = Resolution::in_front;
+            return pair;
+        }
+        const Composite& whole = composite_of(pair.front.object);
+        const Composite::Kind kind = meeting_node(whole, pair.front.part, pair.back.part).kind;
+        if (!pair.alike) {
+            if (kind != Composite::Kind::intersect) pair.resolution = Resolution::overlapped;
+            return pair;
+        }
+        if (kind == Composite::Kind::intersect) std::swap(pair.front, pair.back);
+        pair.resolution = Resolution::in_front;
+        return pair;
+    }
+
     static void in_front(FacePair& pair, const Face& front, const Face& back) {
         pair = FacePair{front, back, true, Resolution::in_front};
     }
@@ -95,7 +131,11 @@ class Resolver {
     }
 
     bool can_be_merged(std::uint32_t a, std::uint32_t b) const {
-        return scene_.objects[a].casts_shadow == scene_.objects[b].casts_shadow;
+        const auto is_composite = [&](std::uint32_t i) {
+            return std::holds_alternative<CompositeRef>(scene_.objects[i].shape);
+        };
+        return scene_.objects[a].casts_shadow == scene_.objects[b].casts_shadow &&
+               !is_composite(a) && !is_composite(b);
     }
 
     const Scene& scene_;
@@ -111,7 +151,8 @@ std::vector<FacePair> face_pairs(const Scene& scene) {
     std::vector<FacePair> pairs;
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (std::size_t j = i + 1; j < faces.size(); ++j)
-            if (faces[i].object != faces[j].object && coincide(faces[i], faces[j]))
+            if ((faces[i].object != faces[j].object || faces[i].part != faces[j].part) &&
+                coincide(faces[i], faces[j]))
                 pairs.push_back(resolver.pair_of(faces[i], faces[j]));
     return pairs;
 }

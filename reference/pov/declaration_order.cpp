@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "model/bodies.h"
+#include "reference/pov/composites.h"
 #include "reference/pov/export_scale.h"
 #include "reference/pov/materials.h"
 
@@ -22,9 +23,7 @@ std::vector<std::uint32_t> declaration_order(const Scene& scene, const ExportVie
     std::vector<Holder> holders;
     for (const std::uint32_t i : order) {
         const Object& object = scene.objects[i];
-        if (!lets_light_pass(scene, scene.materials[object.material]) ||
-            !is_body(scene, object.shape))
-            continue;
+        if (!lets_light_pass(scene, object) || !is_body(scene, object.shape)) continue;
         const auto own = shape_bounds(scene, object.shape);
         if (!own) {
             holders.push_back({i, std::numeric_limits<double>::infinity()});

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "model/bodies.h"
+#include "model/parts.h"
+#include "reference/pov/composites.h"
 #include "reference/pov/materials.h"
 
 namespace lancer::reference::pov {
@@ -14,6 +17,7 @@ using Rule = KnownDifference::Rule;
 
 /// What the rules ask of an object.
 struct Traits {
+    std::uint32_t object = 0;
     Bounds bounds;  ///< in the picture's units; empty for a plane
     const Material* material = nullptr;
     bool plane = false;
@@ -43,7 +47,7 @@ bool meet(const Traits& a, const Traits& b) {
 class Search {
   public:
     Search(const Scene& scene, PowerOfTen scale) : scene_(scene), scale_(scale) {
-        for (const Object& object : scene.objects) objects_.push_back(traits_of(object));
+        for (std::uint32_t i = 0; i < scene.objects.size(); ++i) add(i);
     }
 
     std::vector<KnownDifference> run(const std::vector<Coincidence>& coincidences) {
@@ -61,6 +65,20 @@ class Search {
     }
 
   private:
+    /// A composite has those of each of its materials.
+    void add(std::uint32_t index) {
+        const Object& object = scene_.objects[index];
+        Traits t = traits_of(object);
+        t.object = index;
+        objects_.push_back(t);
+        std::set<std::uint32_t> materials{object.material};
+        for_each_part(scene_, object, [&](const Object& part) {
+            if (!materials.insert(part.material).second) return;
+            t.material = &scene_.materials[part.material];
+            objects_.push_back(t);
+        });
+    }
+
     Traits traits_of(const Object& object) const {
         Traits t;
         t.material = &scene_.materials[object.material];
@@ -73,10 +91,12 @@ class Search {
             t.offset = dot(t.normal, scale_(map_point(to_world, own * plane->offset)));
         }
         t.body = is_body(scene_, object.shape);
-        t.passes = lets_light_pass(scene_, *t.material);
+        t.passes = lets_light_pass(scene_, object);
         t.absorbs = t.body && t.passes && max_component(t.material->absorption) > 0;
-        const auto* mesh = std::get_if<MeshRef>(&object.shape);
-        t.smooth = mesh != nullptr && mesh->smooth && scene_.settings.smooth;
+        for_each_part(scene_, object, [&](const Object& part) {
+            const auto* mesh = std::get_if<MeshRef>(&part.shape);
+            t.smooth = t.smooth || (mesh != nullptr && mesh->smooth && scene_.settings.smooth);
+        });
         t.patch = std::holds_alternative<PatchRef>(object.shape);
         if (const auto own = shape_bounds(scene_, object.shape)) {
             t.bounds = moved(to_world, *own);
@@ -103,15 +123,16 @@ class Search {
     template <class Test>
     std::vector<std::uint32_t> all(const Test& test) const {
         std::vector<std::uint32_t> out;
-        for (std::uint32_t i = 0; i < objects_.size(); ++i)
-            if (test(objects_[i])) out.push_back(i);
+        for (const Traits& t : objects_)
+            if (test(t) && (out.empty() || out.back() != t.object)) out.push_back(t.object);
         return out;
     }
     /// True without looking where there are too many pairs to look at.
     bool meets_another(const Traits& t, const auto& other) const {
         if (objects_.size() > 20000) return true;
-        return std::any_of(objects_.begin(), objects_.end(),
-                           [&](const Traits& o) { return &o != &t && other(o) && meet(t, o); });
+        return std::any_of(objects_.begin(), objects_.end(), [&](const Traits& o) {
+            return o.object != t.object && other(o) && meet(t, o);
+        });
     }
 
     void find_absorption() {

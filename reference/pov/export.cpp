@@ -7,6 +7,7 @@
 
 #include "reference/pov/choices.h"
 #include "reference/pov/coincidence.h"
+#include "reference/pov/composites.h"
 #include "reference/pov/declaration_order.h"
 #include "reference/pov/differences.h"
 #include "reference/pov/export_scale.h"
@@ -42,8 +43,8 @@ PowerOfTen scale_for(const Scene& scene, const ExportView& view, const ExportOpt
 double resolving_step(const Scene& scene, const std::vector<FacePair>& pairs, PowerOfTen scale) {
     double farthest = 0;
     for (const FacePair& pair : pairs) {
-        for (const std::uint32_t i : {pair.front.object, pair.back.object}) {
-            const Object& object = scene.objects[i];
+        for (const Face& face : {pair.front, pair.back}) {
+            const Object& object = part_of(scene, face.object, face.part);
             const auto own = shape_bounds(scene, object.shape);
             if (!own) continue;
             const Bounds bounds = moved(scene.transforms[object.transform], *own);

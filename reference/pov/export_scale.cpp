@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/pov/composites.h"
+
 namespace lancer::reference::pov {
 
 void Bounds::add(const Vec3d& p) {
@@ -104,6 +106,9 @@ struct OwnBounds {
             b.add(Vec3d(p.x, prism.top, p.y));
         }
         return b;
+    }
+    Bounds operator()(const CompositeRef& s) const {
+        return composite_bounds(scene, scene.composites[s.composite]);
     }
 };
 

@@ -62,7 +62,7 @@ struct FaceFinder {
             face.normal = -face.normal;
         face.offset = dot(face.normal, p[0]);
         face.corners = std::move(p);
-        out.push_back({object, face});
+        out.push_back({object, face, 1, none});
     }
     void rectangle(const Vec3d& outwards, const Vec3d& corner, const Vec3d& a,
                    const Vec3d& b) const {
@@ -96,7 +96,7 @@ struct FaceFinder {
         face.radius = *factor * base_radius - face.slope * first;
         face.low = std::min(first, second);
         face.high = std::max(first, second);
-        out.push_back({object, face, outward});
+        out.push_back({object, face, outward, none});
     }
 
     void operator()(const Box& box) const {
@@ -120,7 +120,8 @@ struct FaceFinder {
     void operator()(const Sphere& s) const {
         const std::optional<double> factor = similarity(to_world);
         if (factor)
-            out.push_back({object, BallFace{map_point(to_world, s.center), *factor * s.radius}});
+            out.push_back(
+                {object, BallFace{map_point(to_world, s.center), *factor * s.radius}, 1, none});
     }
     void operator()(const PrismRef& s) const {
         const Prism& prism = scene.prisms[s.prism];
@@ -139,6 +140,17 @@ struct FaceFinder {
             if (is_within(prism.outline, middle + 1e-6 * outwards)) outwards = -1.0 * outwards;
             rectangle({outwards.x, 0, outwards.y}, {p.x, prism.bottom, p.y},
                       {q.x - p.x, 0, q.y - p.y}, {0, prism.top - prism.bottom, 0});
+        }
+    }
+    void operator()(const CompositeRef& s) const {
+        const Composite& composite = scene.composites[s.composite];
+        for (std::uint32_t i = 0; i < composite.leaves.size() && out.size() < most; ++i) {
+            const Composite::Leaf& leaf = composite.leaves[i];
+            const std::size_t first = out.size();
+            std::visit(
+                FaceFinder{scene, scene.transforms[leaf.object.transform], object, most, out},
+                leaf.object.shape);
+            for (std::size_t k = first; k < out.size(); ++k) out[k].part = i;
         }
     }
     void operator()(const LatheRef& s) const {

@@ -40,6 +40,7 @@ struct Face {
     /// Of a round face: 1 where the body lies within, -1 where it lies around. A flat face and a
     /// ball's have 1.
     int outward = 1;
+    std::uint32_t part = none;  ///< of a composite: the leaf
 };
 
 /// The faces of all objects, at most `most` of them, meshes last. Of a curved lathe or prism the

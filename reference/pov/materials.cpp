@@ -85,35 +85,52 @@ std::string texture_name(const Writer& writer, const TextureKey& key) {
 
 void declare_textures(Writer& writer) {
     const Scene& scene = writer.scene;
-    std::map<TextureKey, std::pair<const Object*, PowerOfTen>> shown_by;  // the first that does
-    for (const Object& object : scene.objects) {
-        if (depends_on_shape(scene, scene.materials[object.material])) continue;
+    std::map<TextureKey, std::pair<Object, PowerOfTen>> shown_by;  // the first that does
+    const auto note = [&](const Object& object) {
+        if (depends_on_shape(scene, scene.materials[object.material])) return;
         const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);
-        shown_by.emplace(texture_key(writer, object, space.own), std::pair{&object, space.own});
+        shown_by.emplace(texture_key(writer, object, space.own), std::pair{object, space.own});
+    };
+    for (const Object& object : scene.objects) {
+        const auto* ref = std::get_if<CompositeRef>(&object.shape);
+        if (ref == nullptr) note(object);
+        if (ref == nullptr) continue;
+        for (const Composite::Leaf& leaf : scene.composites[ref->composite].leaves)
+            note(texture_holder(scene, leaf));
     }
     for (const auto& [key, shower] : shown_by) {
         const auto& [object, own] = shower;
         const std::string name = texture_name(writer, key);
         writer.text.open("#declare " + name + " = texture {");
-        write_own_texture(writer, scene.materials[object->material], *object, own);
+        write_own_texture(writer, scene.materials[object.material], object, own);
         writer.text.close();
         writer.texture_names.emplace(key, name);
     }
 }
 
-void write_texture(Writer& writer, const Object& object, PowerOfTen own) {
+void write_texture(Writer& writer, const Object& object, PowerOfTen own, const std::string& moved) {
     const auto declared = writer.texture_names.find(texture_key(writer, object, own));
     if (declared != writer.texture_names.end()) {
-        writer.text.line("texture { " + declared->second + " }");
+        writer.text.line("texture { " + declared->second + (moved.empty() ? "" : " " + moved) +
+                         " }");
         return;
     }
     writer.text.open("texture {");
     write_own_texture(writer, writer.scene.materials[object.material], object, own);
+    if (!moved.empty()) writer.text.line(moved);
     writer.text.close();
 }
 
-void write_interior(Writer& writer, const Material& material, bool body) {
-    if (!lets_light_pass(writer.scene, material)) {
+Object texture_holder(const Scene& scene, const Composite::Leaf& leaf) {
+    Object holder = leaf.object;
+    const Material& material = scene.materials[holder.material];
+    if (texture_of(scene, material) != nullptr && !depends_on_shape(scene, material))
+        holder.transform = leaf.texture_space;
+    return holder;
+}
+
+void write_interior(Writer& writer, const Material& material, bool body, bool passes) {
+    if (!passes) {
         // Nothing gets in: the index serves the mirror alone.
         if (material.fresnel) writer.text.line("interior { ior " + number(material.ior) + " }");
         return;

@@ -18,10 +18,19 @@ const Texture* texture_of(const Scene& scene, const Material& material);
 
 /// `texture { … }` of an object whose own space is scaled by `own`: a declared one, or one of its
 /// own.
-void write_texture(Writer& writer, const Object& object, PowerOfTen own);
+///
+/// \param moved  a transform of the texture alone; may be empty
+void write_texture(Writer& writer, const Object& object, PowerOfTen own,
+                   const std::string& moved = "");
+
+/// The leaf, in the place that its texture has; where that is the shape's own, or there is no
+/// texture, in its own place.
+Object texture_holder(const Scene& scene, const Composite::Leaf& leaf);
 
 /// `interior { … }` for what lets light pass, or mirrors by Fresnel's equations. A sheet that light
 /// passes has no inside: POV-Ray would never find the way out of it, so its ior is 1.
-void write_interior(Writer& writer, const Material& material, bool body);
+///
+/// \param passes  whether light passes some surface of the object
+void write_interior(Writer& writer, const Material& material, bool body, bool passes);
 
 }  // namespace lancer::reference::pov

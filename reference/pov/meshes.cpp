@@ -166,7 +166,7 @@ std::vector<Mesh> pieces_of(const Mesh& mesh) {
 /// shadow ray that grazes one meets it again further off than POV-Ray drops hits. In pieces, each
 /// near its own origin, it does not. Pieces have no inside, so what light enters is one.
 bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) {
-    return mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh) &&
+    return !writer.in_composite && mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh) &&
            !lets_light_pass(writer.scene, writer.scene.materials[object.material]);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "model/bodies.h"
+#include "reference/pov/composites.h"
 #include "reference/pov/export_scale.h"
 
 namespace lancer::reference::pov {
@@ -33,6 +34,12 @@ bool asks_for_nothing(const FacePair& pair) {
     return pair.resolution == Resolution::none || pair.resolution == Resolution::hidden;
 }
 
+/// What moves as one: an object, or a leaf of a composite.
+using Key = std::pair<std::uint32_t, std::uint32_t>;
+Key key_of(const Face& face) {
+    return {face.object, face.part};
+}
+
 class Solver {
   public:
     Solver(const Scene& scene, const std::vector<FacePair>& pairs) : scene_(scene), pairs_(pairs) {
@@ -41,11 +48,11 @@ class Solver {
             add(pair.front, pair);
             add(pair.back, pair);
         }
-        for (auto& [object, mover] : movers_) {
+        for (auto& [key, mover] : movers_) {
             // A body that its own growth would draw out of a face, or hardly move, stays.
-            const auto own = shape_bounds(scene, scene.objects[object].shape);
+            const auto own = shape_bounds(scene, part_of(scene, key.first, key.second).shape);
             if (mover.way == Mover::Way::growing &&
-                !(mover.least >= 0.01 * moved(map_of(object), *own).diagonal()))
+                !(mover.least >= 0.01 * moved(map_of(key), *own).diagonal()))
                 mover.way = Mover::Way::still;
         }
     }
@@ -65,8 +72,8 @@ class Solver {
     }
 
     /// The object's transform, moved.
-    std::optional<Affine<double>> moved_transform(std::uint32_t object, double step) const {
-        const auto found = movers_.find(object);
+    std::optional<Affine<double>> moved_transform(const Key& key, double step) const {
+        const auto found = movers_.find(key);
         if (found == movers_.end() || found->second.raised == 0) return std::nullopt;
         const Mover& mover = found->second;
         Affine<double> way;
@@ -77,29 +84,29 @@ class Solver {
             for (int i = 0; i < 3; ++i) way.rows[static_cast<std::size_t>(i)][i] += growth;
             way.shift = -growth * mover.center;
         }
-        return compose(way, map_of(object));
+        return compose(way, map_of(key));
     }
 
   private:
-    const Affine<double>& map_of(std::uint32_t object) const {
-        return scene_.transforms[scene_.objects[object].transform];
+    const Affine<double>& map_of(const Key& key) const {
+        return scene_.transforms[part_of(scene_, key.first, key.second).transform];
     }
 
     void add(const Face& face, const FacePair& pair) {
-        const auto [at, is_new] = movers_.try_emplace(face.object);
+        const auto [at, is_new] = movers_.try_emplace(key_of(face));
         Mover& mover = at->second;
-        const Shape& shape = scene_.objects[face.object].shape;
+        const Shape& shape = part_of(scene_, face.object, face.part).shape;
         const auto own = shape_bounds(scene_, shape);
         if (is_new) {
             mover.way = is_body(scene_, shape) && own ? Mover::Way::growing : Mover::Way::along;
-            if (own) mover.center = map_point(map_of(face.object), own->center());
+            if (own) mover.center = map_point(map_of(key_of(face)), own->center());
             mover.least = std::numeric_limits<double>::infinity();
         }
         if (mover.way == Mover::Way::growing) {
             mover.least = std::min(mover.least, reach(face, mover.center));
         } else if (mover.way == Mover::Way::along) {
             // A sheet moves out of the body that it lies on.
-            const Face& other = face.object == pair.front.object ? pair.back : pair.front;
+            const Face& other = key_of(face) == key_of(pair.front) ? pair.back : pair.front;
             const auto* flat = std::get_if<FlatFace>(own ? &other.form : &face.form);
             const bool another =
                 !is_new && flat && std::abs(dot(flat->normal, mover.normal)) < 1 - 1e-9;
@@ -112,12 +119,12 @@ class Solver {
 
     /// How far the face has moved outwards, in steps, for one step of the object.
     double per_step(const Face& face) const {
-        const Mover& mover = movers_.at(face.object);
+        const Mover& mover = movers_.at(key_of(face));
         if (mover.way == Mover::Way::growing) return reach(face, mover.center) / mover.least;
         return mover.way == Mover::Way::along ? 1 : 0;
     }
     double displacement(const Face& face) const {
-        return per_step(face) * movers_.at(face.object).raised;
+        return per_step(face) * movers_.at(key_of(face)).raised;
     }
 
     /// Steps by which the two are still too near.
@@ -129,8 +136,8 @@ class Solver {
     /// Raises what shall be in front, or one of two that shall overlap; where that cannot move, the
     /// other gives way.
     void raise(const FacePair& pair) {
-        Mover& front = movers_.at(pair.front.object);
-        Mover& back = movers_.at(pair.back.object);
+        Mover& front = movers_.at(key_of(pair.front));
+        Mover& back = movers_.at(key_of(pair.back));
         const auto can_move = [](const Mover& m) { return m.way != Mover::Way::still && !m.fixed; };
         const double steps = lacking(pair);
         if (can_move(front)) {
@@ -147,7 +154,7 @@ class Solver {
 
     const Scene& scene_;
     const std::vector<FacePair>& pairs_;
-    std::map<std::uint32_t, Mover> movers_;
+    std::map<Key, Mover> movers_;
 };
 
 /// Objects joined by merged pairs.
@@ -179,12 +186,18 @@ ResolvedScene resolved(const Scene& scene, const std::vector<FacePair>& pairs, d
     ResolvedScene result{scene, groups_of(pairs, scene.objects.size()), pairs};
     Solver solver(scene, pairs);
     solver.solve();
-    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
-        const auto transform = solver.moved_transform(i, step);
-        if (!transform) continue;
-        result.scene.objects[i].transform =
-            static_cast<std::uint32_t>(result.scene.transforms.size());
+    const auto move = [&](Object& object, std::uint32_t index, std::uint32_t part) {
+        const auto transform = solver.moved_transform({index, part}, step);
+        if (!transform) return;
+        object.transform = static_cast<std::uint32_t>(result.scene.transforms.size());
         result.scene.transforms.push_back(*transform);
+    };
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+        move(result.scene.objects[i], i, none);
+        const auto* ref = std::get_if<CompositeRef>(&scene.objects[i].shape);
+        if (ref == nullptr) continue;
+        std::vector<Composite::Leaf>& leaves = result.scene.composites[ref->composite].leaves;
+        for (std::uint32_t k = 0; k < leaves.size(); ++k) move(leaves[k].object, i, k);
     }
     for (FacePair& pair : result.pairs)
         if (!solver.holds(pair)) pair.resolution = Resolution::none;

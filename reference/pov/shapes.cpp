@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "model/bodies.h"
+#include "model/parts.h"
+#include "reference/pov/composites.h"
 #include "reference/pov/materials.h"
 
 namespace lancer::reference::pov {
@@ -50,6 +52,10 @@ struct ShapeOpener {
     bool operator()(const PrismRef& s) const {
         return open_prism(writer, writer.scene.prisms[s.prism], own);
     }
+    bool operator()(const CompositeRef& s) const {
+        open_composite(writer, writer.scene.composites[s.composite]);
+        return true;
+    }
 };
 
 }  // namespace
@@ -64,7 +70,11 @@ namespace {
 bool open_object(Writer& writer, std::uint32_t index) {
     const Scene& scene = writer.scene;
     const Object& object = scene.objects[index];
-    if (scene.materials[object.material].phong_transmission > 0) {
+    bool shines_through = false;
+    for_each_part(scene, object, [&](const Object& part) {
+        shines_through = shines_through || scene.materials[part.material].phong_transmission > 0;
+    });
+    if (shines_through) {
         writer.refuse(object.place, "POV-Ray has no highlight of light from behind",
                       "leave 'phong_transmission' out of the material to export the scene");
         return false;
@@ -72,14 +82,16 @@ bool open_object(Writer& writer, std::uint32_t index) {
     const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);
     if (object.name != none) writer.text.line("// \"" + comment(scene.names[object.name]) + "\"");
     if (!open_shape(writer, object, space.own)) return false;
-    write_texture(writer, object, space.own);  // before the transform, which takes it along
+    if (!std::holds_alternative<CompositeRef>(object.shape))
+        write_texture(writer, object, space.own);  // before the transform, which takes it along
     return true;
 }
 
 /// What is the object's own, but not a part's of a merged one.
 void write_inside_and_shadow(Writer& writer, const Object& object) {
     const Scene& scene = writer.scene;
-    write_interior(writer, scene.materials[object.material], is_body(scene, object.shape));
+    write_interior(writer, scene.materials[object.material], is_body(scene, object.shape),
+                   lets_light_pass(scene, object));
     if (!object.casts_shadow || !scene.settings.shadows) writer.text.line("no_shadow");
 }
 
@@ -90,8 +102,11 @@ void write_transform(Writer& writer, const Object& object) {
 }
 
 void declare_mesh_of(Writer& writer, const Object& object) {
-    declare_mesh(writer, object,
-                 object_space(writer.scene.transforms[object.transform], writer.scale).own);
+    writer.in_composite = std::holds_alternative<CompositeRef>(object.shape);
+    for_each_part(writer.scene, object, [&](const Object& part) {
+        declare_mesh(writer, part,
+                     object_space(writer.scene.transforms[part.transform], writer.scale).own);
+    });
 }
 
 }  // namespace

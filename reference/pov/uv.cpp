@@ -64,6 +64,7 @@ struct UvWriter {
     }
     void open_face(int number) const { writer.text.open("[" + pov::number(number / 8.0)); }
 
+    void operator()(const CompositeRef&) const {}  // its leaves have textures
     void operator()(const Sphere&) const { native(); }
     void operator()(const Plane&) const { planar(); }
     void operator()(const Triangle& shape) const {

@@ -8,10 +8,12 @@
 
 #include "model/bodies.h"
 #include "model/diagnostic.h"
+#include "model/parts.h"
 #include "model/plain_color.h"
 #include "model/requirements.h"
 #include "model/splines.h"
 #include "tracer/bvh/build.h"
+#include "tracer/compile/composite_compiler.h"
 #include "tracer/compile/primitive_bounds.h"
 #include "tracer/compile/scale.h"
 #include "tracer/compile/shape_compiler.h"
@@ -57,6 +59,8 @@ class Compiler {
     }
 
   private:
+    using MeshTable = std::map<std::uint32_t, const TriangleMesh<Real>*>;
+
     int scale() const { return world_->scale_exponent; }
 
     Vec3<Real> in_range(const Vec3d& v, const SourceSpan& place, const char* what) const {
@@ -139,32 +143,79 @@ class Compiler {
     void add_objects() {
         const MeshTable meshes = mesh_needs();
         std::vector<Primitive<Real>> unbounded;
+        std::vector<Primitive<Real>> planes;
         std::vector<Primitive<Real>>& bounded = world_->primitives;
         bounded.reserve(scene_.objects.size());
         ShapeCompiler<Real> solids(scene_, settings_, by_povray_, *world_);
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
             const Object& object = scene_.objects[i];
             if (is_nothing(object.shape)) continue;
-            Primitive<Real> p = solids.make(object, mesh_of(object, meshes));
+            const auto* made = std::get_if<CompositeRef>(&object.shape);
+            Primitive<Real> p =
+                made == nullptr ? part(solids, object, object.transform, meshes)
+                                : whole(solids, scene_.composites[made->composite], object, meshes);
             p.object = i;
-            p.material = object.material;
             p.casts_shadow = object.casts_shadow;
-            if (world_->finishes[object.material].texture != none) {
-                p.texture_binding = static_cast<std::uint32_t>(world_->texture_bindings.size());
-                world_->texture_bindings.push_back(
-                    bind_texture(scene_, *world_, object, p, solids.own_exponent(object)));
-            }
-            const Material& m = scene_.materials[object.material];
-            p.transmissive = lets_light_through(scene_, m, settings_.textures);
             p.medium = requirements_.is_medium(i);
             // Whether a mesh has an inside is asked only when it matters.
             p.body = std::holds_alternative<MeshRef>(object.shape) ? p.medium
                                                                    : is_body(scene_, object.shape);
             p.convex = traits_of(p.solid).convex;
-            (std::holds_alternative<HalfSpace<Real>>(p.solid) ? unbounded : bounded).push_back(p);
+            if (made == nullptr)
+                (std::holds_alternative<HalfSpace<Real>>(p.solid) ? planes : bounded).push_back(p);
+            else if (const Bounds<Real>& box = p.composite()->bounds; !is_empty(box))
+                (is_finite(box.min) && is_finite(box.max) ? bounded : unbounded).push_back(p);
         }
         world_->bounded = static_cast<std::uint32_t>(bounded.size());
         bounded.insert(bounded.end(), unbounded.begin(), unbounded.end());
+        world_->planes = static_cast<std::uint32_t>(bounded.size());
+        bounded.insert(bounded.end(), planes.begin(), planes.end());
+    }
+
+    /// What one shape shows: of an object, or of a composite's leaf.
+    ///
+    /// \param space  where its texture lies: see bind_texture()
+    Primitive<Real> part(ShapeCompiler<Real>& solids, const Object& object, std::uint32_t space,
+                         const MeshTable& meshes) {
+        Primitive<Real> p = solids.make(object, mesh_of(object, meshes));
+        p.material = object.material;
+        if (world_->finishes[object.material].texture != none) {
+            p.texture_binding = static_cast<std::uint32_t>(world_->texture_bindings.size());
+            world_->texture_bindings.push_back(
+                bind_texture(scene_, *world_, object, p, solids.own_exponent(object), space));
+        }
+        p.transmissive =
+            lets_light_through(scene_, scene_.materials[object.material], settings_.textures);
+        return p;
+    }
+
+    /// A composite, of its leaves.
+    Primitive<Real> whole(ShapeCompiler<Real>& solids, const Composite& composite,
+                          const Object& object, const MeshTable& meshes) {
+        Primitive<Real> p;
+        p.material = object.material;
+        CompositeCompiler<Real> tree(composite, *world_);
+        for (const Composite::Leaf& leaf : composite.leaves) {
+            const Primitive<Real> made = part(solids, leaf.object, leaf.texture_space, meshes);
+            p.transmissive = p.transmissive || made.transmissive;
+            check_size(made, leaf.object);
+            tree.add(made);
+        }
+        world_->composites.push_back(
+            std::make_unique<CompositeTree<Real>>(tree.finish(*world_, object.place, threads_)));
+        p.solid = CompositeSolid<Real>{world_->composites.back().get()};
+        return p;
+    }
+
+    /// Squares of sizes must stay in the number type's range.
+    void check_size(const Primitive<Real>& p, const Object& object) const {
+        using std::sqrt;
+        const bool vanishes = std::visit([](const auto& solid) { return solid.size(); }, p.solid) <
+                              16 * sqrt(std::numeric_limits<Real>::min());
+        const Bounds<Real> box = bounds_of(*world_, p);
+        const bool endless = std::holds_alternative<HalfSpace<Real>>(p.solid);
+        if (vanishes || (!endless && !(is_finite(box.min) && is_finite(box.max))))
+            throw SceneError(object.place, out_of_range);
     }
 
     /// A patch that is a single point has no surface.
@@ -173,17 +224,18 @@ class Compiler {
         return ref != nullptr && is_single_point(scene_.patches[ref->patch].control);
     }
 
-    using MeshTable = std::map<std::uint32_t, const TriangleMesh<Real>*>;
-
     /// Compiles every mesh that an object shows, once.
     MeshTable mesh_needs() {
         std::map<std::uint32_t, MeshNeeds> needs;
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
-            const auto* ref = std::get_if<MeshRef>(&scene_.objects[i].shape);
-            if (ref == nullptr) continue;
-            MeshNeeds& n = needs[ref->mesh];
-            n.normals |= ref->smooth && settings_.smooth;
-            n.body |= requirements_.is_medium(i);
+            const Object& object = scene_.objects[i];
+            for_each_part(scene_, object, [&](const Object& shown) {
+                const auto* ref = std::get_if<MeshRef>(&shown.shape);
+                if (ref == nullptr) return;
+                MeshNeeds& n = needs[ref->mesh];
+                n.normals |= ref->smooth && settings_.smooth;
+                n.body |= requirements_.is_medium(i) || &shown != &object;
+            });
         }
         MeshTable table;
         for (const auto& [index, n] : needs) {
@@ -200,18 +252,12 @@ class Compiler {
     }
 
     void add_tree() {
-        using std::sqrt;
         std::vector<Bounds<Real>> boxes;
         boxes.reserve(world_->bounded);
         for (std::uint32_t i = 0; i < world_->bounded; ++i) {
             const Primitive<Real>& p = world_->primitives[i];
-            const Bounds<Real> box = bounds_of(*world_, p);
-            // Squares of sizes must stay in the number type's range.
-            const bool vanishes = std::visit([](const auto& solid) { return solid.size(); },
-                                             p.solid) < 16 * sqrt(std::numeric_limits<Real>::min());
-            if (vanishes || !is_finite(box.min) || !is_finite(box.max))
-                throw SceneError(scene_.objects[p.object].place, out_of_range);
-            boxes.push_back(box);
+            check_size(p, scene_.objects[p.object]);
+            boxes.push_back(bounds_of(*world_, p));
         }
         world_->bvh = build_bvh(boxes, 2, threads_);
         // Primitives in leaf order lie together in memory when they are visited together.

@@ -85,6 +85,11 @@ Bounds<Real> solid_bounds(const PrismSolid<Real>& s) {
             splines::scaled(Vec3<Real>(c.max.x, s.surface->top, c.max.y), c.exponent)};
 }
 
+template <class Real>
+Bounds<Real> solid_bounds(const CompositeSolid<Real>& s) {
+    return s.tree->bounds;
+}
+
 /// The box around the mapped box: centre and half-axes mapped, absolute values summed.
 template <class Real>
 Bounds<Real> mapped(const Bounds<Real>& b, const Affine<Real>& map) {

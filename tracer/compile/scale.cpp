@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/parts.h"
+
 namespace lancer {
 namespace {
 
@@ -33,6 +35,8 @@ struct Extent {
         const Prism& prism = scene.prisms[r.prism];
         return std::max({largest_of(prism.outline), std::abs(prism.bottom), std::abs(prism.top)});
     }
+    /// What stands in the world is its leaves.
+    double operator()(const CompositeRef&) const { return 0; }
 
     static double largest_of(const std::vector<Vec3d>& points) {
         double most = 0;
@@ -58,7 +62,7 @@ int scale_exponent(const Scene& scene) {
     const auto take = [&](double value) {
         if (value > 0) most = std::max(most, -exponent_for(value));
     };
-    for (const Object& object : scene.objects) {
+    for_each_part(scene, [&](const Object& object) {
         const double extent = extent_of(object.shape, scene);
         const Affine<double>& m = scene.transforms[object.transform];
         double growth = 0;
@@ -66,7 +70,7 @@ int scale_exponent(const Scene& scene) {
         if (extent > 0 && growth > 0)
             most = std::max(most, -exponent_for(extent) - exponent_for(growth));
         take(largest(m.shift));
-    }
+    });
     for (const Camera& camera : scene.cameras) {
         take(largest(camera.position));
         take(largest(camera.look_at));

@@ -331,6 +331,12 @@ class ShapeCompiler {
         return PrismSolid<Real>{world_.extrusions.back().get(), own};
     }
 
+    /// Its leaves are made one by one: composite_compiler.h.
+    Solid<Real> solid(const CompositeRef&, int, const Affine<Real>&, const TriangleMesh<Real>*,
+                      Primitive<Real>&) {
+        return CompositeSolid<Real>{nullptr};
+    }
+
     const Scene& scene_;
     const Settings& settings_;
     const PovRayRules* by_povray_;

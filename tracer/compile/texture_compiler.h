@@ -66,6 +66,7 @@ struct ChartMaker {
     Chart<Real> operator()(const PatchRef&) const { return ParameterChart{}; }
     Chart<Real> operator()(const LatheRef&) const { return ParameterChart{}; }
     Chart<Real> operator()(const PrismRef&) const { return ParameterChart{}; }
+    Chart<Real> operator()(const CompositeRef&) const { return PlanarChart{}; }  // its leaves show
 
     static Chart<Real> frustum(const Vec3d& base, const Vec3d& top, double base_radius,
                                double top_radius) {
@@ -115,19 +116,28 @@ void compile_textures(const Scene& scene, World<Real>& world) {
 
 /// Where the object's texture lies on its primitive.
 ///
-/// \param own  a primitive with a frame has its own coordinates scaled by 2^own
+/// \param own    a primitive with a frame has its own coordinates scaled by 2^own
+/// \param space  index into Scene::transforms: the space that the texture lies in, unless the
+///               shape's own parameters say where
 template <class Real>
 TextureBinding<Real> bind_texture(const Scene& scene, const World<Real>& world,
-                                  const Object& object, const Primitive<Real>& primitive, int own) {
+                                  const Object& object, const Primitive<Real>& primitive, int own,
+                                  std::uint32_t space) {
     const Texture& texture = scene.textures[scene.materials[object.material].texture];
     const Affine<double>& to_world = scene.transforms[object.transform];
     const bool framed = primitive.frame != none;
-    Affine<long double> map = framed ? power_of_two(-own)
-                                     : compose(inverse(convert<long double>(to_world)),
-                                               power_of_two(-world.scale_exponent));
-    TextureBinding<Real> seat;
     const auto* image = std::get_if<ImageTexture>(&texture.pattern);
-    if (image != nullptr && image->mapping == ImageTexture::Mapping::uv)
+    const bool by_shape = image != nullptr && image->mapping == ImageTexture::Mapping::uv;
+    const bool elsewhere = !by_shape && space != object.transform;
+    const Affine<double>& home = elsewhere ? scene.transforms[space] : to_world;
+    Affine<long double> map =
+        framed ? power_of_two(-own)
+               : compose(inverse(convert<long double>(home)), power_of_two(-world.scale_exponent));
+    if (framed && elsewhere)
+        map = compose(inverse(convert<long double>(home)),
+                      compose(convert<long double>(to_world), map));
+    TextureBinding<Real> seat;
+    if (by_shape)
         seat.chart = std::visit(ChartMaker<Real>{scene}, object.shape);
     else
         map = compose(inverse(convert<long double>(texture.to_object)), map);

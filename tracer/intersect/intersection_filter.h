@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <optional>
 
 #include "tracer/rays/crossing.h"
 #include "tracer/scene/world.h"
@@ -73,7 +74,15 @@ class IntersectionFilter {
         if (touched && repeats(p, primitive, c)) return false;
         if (is_medium(p)) return contains_here(primitive) != c.entering;
         if (ahead > c.error) return true;
-        return p.body && c.entering && !touched && c.chord > 4 * c.error;  // enters a wall
+        if (touched && p.composite() == nullptr) return false;
+        return p.body && c.entering && c.chord > 4 * c.error;  // enters a wall
+    }
+
+    const Start<Real>& start() const { return start_; }
+    /// Whether the ray is in the body, where its list tells.
+    std::optional<bool> state_of(std::uint32_t primitive) const {
+        if (!is_medium(world_.primitives[primitive])) return std::nullopt;
+        return contains_here(primitive);
     }
 
     /// Whether a crossing in this sense counts when it lies ahead by more than its error and the
@@ -103,6 +112,7 @@ class IntersectionFilter {
     /// Whether a crossing with what the ray starts on is one that it has behind it.
     [[gnu::noinline]] bool repeats(const Primitive<Real>& p, std::uint32_t primitive,
                                    const Crossing<Real>& c) const {
+        if (p.composite() != nullptr) return false;  // it leaves out what is behind itself
         for (const SurfaceId& s : start_.surfaces) {
             if (s.primitive != primitive) continue;
             if (start_.fresh ? traits_of(p.solid).face_by_face && s.face == c.face

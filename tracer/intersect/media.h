@@ -38,6 +38,11 @@ bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real
         if (abs(height) > bound) return height < 0;
         return dot(half->normal, ray.dir) < 0;
     }
+    if (const CompositeTree<Real>* tree = p.composite()) {
+        const Start<Real> here;
+        const CompositeStart<Real> known{&here, index};
+        return CompositeWalk<Real>(*tree, ray, known).starts_inside();
+    }
     int balance = 0;  // ways out less ways in, ahead
     primitive_crossings(world, p, ray, IntersectionHints{}, whole_line<Real>(),
                         [&](const Crossing<Real>& c, Real, Real) {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "tracer/bvh/traverse.h"
+#include "tracer/intersect/composite_crossings.h"
 #include "tracer/intersect/contact.h"
 #include "tracer/intersect/intersection_filter.h"
+#include "tracer/intersect/shape_crossings.h"
 #include "tracer/rays/crossing.h"
-#include "tracer/rays/shear.h"
 
 namespace lancer {
 
@@ -15,22 +16,10 @@ void solid_crossings(const Solid<Real>& solid, const Ray<Real>& ray, Intersectio
                      const RayInterval<Real, Last>& interval, Report& report) {
     std::visit(
         [&](const auto& shape) {
-            using S = std::decay_t<decltype(shape)>;
-            if constexpr (std::is_same_v<S, MeshInstance<Real>> ||
-                          std::is_same_v<S, PatchSolid<Real>> ||
-                          std::is_same_v<S, BicubicSolid<Real>> ||
-                          std::is_same_v<S, FacetSolid<Real>>) {
-                crossings(shape, ray, hints, interval, report);
-            } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
-                TriangleHit<Real> hit;
-                Shear<Real> shear = shear_of(ray);
-                shear.noise = edge_noise(ray, shape.reach());
-                if (intersect(shape, ray, shear, interval, hit))
-                    report(Crossing<Real>{hit.t, hit.error, 0, hit.entering}, hit.u, hit.v);
-            } else {
-                crossings(shape, ray, hints, interval,
-                          [&](const Crossing<Real>& c) { report(c, Real(0), Real(0)); });
-            }
+            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, CompositeSolid<Real>>)
+                CompositeWalk<Real>(*shape.tree, ray, {}).tell(interval, report);
+            else
+                shape_crossings(shape, ray, hints, interval, report);
         },
         solid);
 }
@@ -48,17 +37,36 @@ void primitive_crossings(const World<Real>& world, const Primitive<Real>& primit
                         interval, report);
 }
 
-/// What is in no tree: primitives[bounded..].
+/// The same for a ray with a start: a composite asks more about that than others.
+///
+/// \param hints  of `accept`, or a change of them
+template <class Real, class Bodies, class Last, class Report>
+void crossings_from(const World<Real>& world, std::uint32_t index, const Ray<Real>& ray,
+                    const IntersectionFilter<Real, Bodies>& accept, IntersectionHints hints,
+                    const RayInterval<Real, Last>& interval, Report&& report) {
+    const Primitive<Real>& primitive = world.primitives[index];
+    if (const CompositeTree<Real>* tree = primitive.composite()) {
+        const CompositeStart<Real> known{&accept.start(), index, accept.state_of(index)};
+        CompositeWalk<Real>(*tree, ray, known).tell(interval, report);
+    } else {
+        primitive_crossings(world, primitive, ray, hints, interval, report);
+    }
+}
+
+/// One of primitives[planes..].
 template <class Real>
 const HalfSpace<Real>& plane_of(const World<Real>& world, std::uint32_t primitive) {
     return *std::get_if<HalfSpace<Real>>(&world.primitives[primitive].solid);
 }
 
-/// Visits every primitive of the tree that the ray may meet on the interval: visit(index) returns
+/// Visits every primitive but planes that the ray may meet on the interval: visit(index) returns
 /// true to stop.
 template <class Real, class Last, class Visit>
 void candidates(const World<Real>& world, const Ray<Real>& ray,
                 const RayInterval<Real, Last>& interval, Visit&& visit) {
+    for (std::uint32_t i = world.bounded; i < world.planes; ++i) {
+        if (visit(i)) return;
+    }
     traverse(world.bvh, ray, interval.first, interval.last,
              [&](std::uint32_t first, std::uint32_t count) {
                  for (std::uint32_t i = first; i < first + count; ++i) {
@@ -93,7 +101,7 @@ class NearestPlanes {
                                      const RayInterval<Real, Last>& interval, const Sees& sees,
                                      const Report& report) {
         const auto end = static_cast<std::uint32_t>(world.primitives.size());
-        for (std::uint32_t i = world.bounded; i < end; ++i) {
+        for (std::uint32_t i = world.planes; i < end; ++i) {
             const PlaneGuess<Real> guess(plane_of(world, i), ray);
             if (guess.low > limit_ || guess.high < interval.first || guess.slope == 0) continue;
             const bool touched = accept.starts_on(i);
@@ -165,8 +173,8 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     found.expect(planes.limit());
     candidates(world, ray, interval, [&](std::uint32_t index) {
         if (!sees(index)) return false;
-        primitive_crossings(
-            world, world.primitives[index], ray, accept.hints(index), interval,
+        crossings_from(
+            world, index, ray, accept, accept.hints(index), interval,
             [&](const Crossing<Real>& c, Real u, Real v) {
                 if (accept(index, c))
                     found.add({accept.met_at(c), c.error, {index, c.face, c.entering}, u, v});

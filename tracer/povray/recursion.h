@@ -65,7 +65,7 @@ std::optional<Hit<Real>> povray_hit(const World<Real>& world, const Ray<Real>& r
         return false;
     };
     const auto end = static_cast<std::uint32_t>(world.primitives.size());
-    for (std::uint32_t i = world.bounded; i < end; ++i) visit(i);
+    for (std::uint32_t i = world.planes; i < end; ++i) visit(i);
     candidates(world, ray, interval, visit);
     return nearest;
 }

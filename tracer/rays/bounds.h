@@ -38,6 +38,11 @@ struct Bounds {
     }
 };
 
+template <class Real>
+bool is_empty(const Bounds<Real>& b) {
+    return !(b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z);
+}
+
 /// Half the surface: what the surface-area heuristic compares.
 template <class Real>
 Real half_area(const Bounds<Real>& b) {

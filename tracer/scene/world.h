@@ -10,8 +10,10 @@
 #include "model/scene.h"
 #include "tracer/bvh/bvh.h"
 #include "tracer/rays/frame.h"
+#include "tracer/scene/composite.h"
 #include "tracer/shapes/bicubic.h"
 #include "tracer/shapes/box.h"
+#include "tracer/shapes/composite.h"
 #include "tracer/shapes/facets.h"
 #include "tracer/shapes/frustum.h"
 #include "tracer/shapes/lathe.h"
@@ -30,12 +32,20 @@ template <class Real>
 using Solid =
     std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
                  TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>, BicubicSolid<Real>,
-                 FacetSolid<Real>, LatheSolid<Real>, PrismSolid<Real>>;
+                 FacetSolid<Real>, LatheSolid<Real>, PrismSolid<Real>, CompositeSolid<Real>>;
 
 template <class Real>
 SolidTraits traits_of(const Solid<Real>& solid) {
     return std::visit([](const auto& s) { return s.traits; }, solid);
 }
+
+/// What a face of a primitive belongs to.
+template <class Real>
+struct FaceOwner {
+    const Primitive<Real>* primitive;  ///< itself, or of a composite a leaf
+    std::uint32_t face;                ///< as the owner's shape numbers its faces
+    bool turned;                       ///< its outside is the primitive's inside
+};
 
 template <class Real>
 struct Primitive {
@@ -53,6 +63,19 @@ struct Primitive {
                           ///< or absorption
     bool casts_shadow = true;
     std::uint32_t medium_slot = none;  ///< index into World::mediums
+
+    /// What it is made of; null where it is not made of others.
+    const CompositeTree<Real>* composite() const {
+        const auto* solid_made = std::get_if<CompositeSolid<Real>>(&solid);
+        return solid_made == nullptr ? nullptr : solid_made->tree;
+    }
+    FaceOwner<Real> owner_of(std::uint32_t of_whole) const {
+        const CompositeTree<Real>* tree = composite();
+        if (tree == nullptr) return {this, of_whole, false};
+        const std::uint32_t number = of_whole & ~hidden_face;
+        const CompositeLeaf<Real>& leaf = tree->leaves[tree->leaf_of(number)];
+        return {&leaf.primitive, number - leaf.first_face, leaf.subtracted};
+    }
 };
 
 /// A material in the tracer's number type, with what follows from it alone.
@@ -93,7 +116,8 @@ template <class Real>
 struct World {
     std::vector<Primitive<Real>> primitives;  ///< in leaf order of `bvh`, then the unbounded ones
     std::uint32_t bounded = 0;                ///< primitives[bounded..] are in no tree
-    Bvh<Real> bvh;                            ///< over primitives[0..bounded)
+    std::uint32_t planes = 0;  ///< primitives[planes..] are half spaces; composites before them
+    Bvh<Real> bvh;             ///< over primitives[0..bounded)
     std::vector<Frame<Real>> frames;
     std::vector<Bounds<Real>>
         medium_bounds;  ///< of `mediums`, in the same order; unbounded: infinite
@@ -106,6 +130,7 @@ struct World {
     std::vector<std::unique_ptr<FacetSurface<Real>>> facets;  ///< patches by POV-Ray's rules
     std::vector<std::unique_ptr<splines::Revolution<Real>>> revolutions;
     std::vector<std::unique_ptr<splines::Extrusion<Real>>> extrusions;
+    std::vector<std::unique_ptr<CompositeTree<Real>>> composites;
     std::vector<std::array<Vec3<Real>, 3>> corner_normals;  ///< unit, in the primitive's space
     std::vector<Finish<Real>> finishes;
     std::vector<Pattern<Real>> textures;                 ///< in the order of Scene::textures

@@ -13,9 +13,13 @@ bool is_glued(const World<Real>& world, const Hit<Real>& a, const Hit<Real>& b) 
     const Primitive<Real>& second = world.primitives[b.surface.primitive];
     if (!first.medium || !second.medium || a.surface.primitive == b.surface.primitive) return false;
     if (a.surface.entering == b.surface.entering) return false;
+    const auto shows = [&](const Primitive<Real>& p, const Hit<Real>& hit) {
+        return p.composite() == nullptr ||
+               p.owner_of(hit.surface.face).primitive->material == p.material;
+    };
     const Finish<Real>& matter = world.finishes[first.material];
     return first.transmissive && matter.texture == none &&
-           matter == world.finishes[second.material];
+           matter == world.finishes[second.material] && shows(first, a) && shows(second, b);
 }
 
 /// Leaves out the second of two faces of a mesh where the ray meets their common edge, so that a

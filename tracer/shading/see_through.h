@@ -33,7 +33,8 @@ class SeeThrough {
         const Finish<Real>& finish = world_.finishes[p.material];
         const bool plain = finish.texture == none && !(p.medium && finish.absorbs);
         const bool between = c.t > margin && c.t < distance_ - margin;
-        if (!plain || !between || passes_.size() == most) clear_ = false;
+        if (!plain || !between || passes_.size() == most || p.composite() != nullptr)
+            clear_ = false;
         if (clear_) passes_.push_back({c.t, c.error, primitive, c.entering, touched});
     }
 

@@ -66,7 +66,7 @@ template <class Real, class Bodies, class Last, class Sees, class Report>
                                                      const Sees& is_seen, const Report& report) {
     const auto& query = interval.last.query;
     const auto end = static_cast<std::uint32_t>(world.primitives.size());
-    for (std::uint32_t i = world.bounded; i < end; ++i) {
+    for (std::uint32_t i = world.planes; i < end; ++i) {
         const PlaneGuess<Real> guess(plane_of(world, i), ray);
         if (interval.ends_before(guess.low) || guess.high < interval.first || !is_seen(i)) continue;
         if (!accept.lets_pass(i, guess.slope < 0) ||
@@ -103,8 +103,8 @@ Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real d
     if (query.occlusion == Occlusion::blocked) return Occlusion::blocked;
     candidates(world, ray, interval, [&](std::uint32_t index) {
         if (!is_seen(index)) return false;
-        primitive_crossings(world, world.primitives[index], ray, query.hints(), interval,
-                            [&](const Crossing<Real>& c, Real, Real) { return report(c); });
+        crossings_from(world, index, ray, accept, query.hints(), interval,
+                       [&](const Crossing<Real>& c, Real, Real) { return report(c); });
         return query.occlusion == Occlusion::blocked;
     });
     return query.occlusion;

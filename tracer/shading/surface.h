@@ -56,6 +56,8 @@ SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& 
                     p.shading = (1 - hit.u - hit.v) * n[0] + hit.u * n[1] + hit.v * n[2];
                 }
                 return p;
+            } else if constexpr (std::is_same_v<S, CompositeSolid<Real>>) {
+                return {};  // its leaves have faces, and it has none
             } else {
                 return surface_point(solid, ray, hit.t, hit.surface.face);
             }
@@ -65,14 +67,15 @@ SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& 
 
 /// Only what decides about passing light: for shadow rays, which need no normals.
 template <class Real>
-void set_color(const World<Real>& world, const SurfacePoint<Real>& local, Surface<Real>& s) {
+void set_color(const World<Real>& world, const FaceOwner<Real>& owner,
+               const SurfacePoint<Real>& local, Surface<Real>& s) {
     const Finish<Real>& f = *s.finish;
     s.color = f.color;
     Real filter = f.filter;
     Real transmission = f.transmission;
     if (f.texture != none) {
         const TextureColor<Real> texel =
-            texture_color(world, f.texture, *s.primitive, local, s.id.face);
+            texture_color(world, f.texture, *owner.primitive, local, owner.face);
         s.color = texel.color;
         if (texel.has_alpha) {
             filter = 0;
@@ -94,11 +97,13 @@ void set_position(Surface<Real>& s, const DoubleWordVector<Real>& place, const V
 }
 
 template <class Real>
-Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const Hit<Real>& hit) {
-    const Primitive<Real>& primitive = world.primitives[hit.surface.primitive];
+Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, Hit<Real> hit) {
     Surface<Real> s;
     s.id = hit.surface;
-    s.primitive = &primitive;
+    s.primitive = &world.primitives[hit.surface.primitive];
+    const FaceOwner<Real> owner = s.primitive->owner_of(hit.surface.face);
+    const Primitive<Real>& primitive = *owner.primitive;
+    hit.surface.face = owner.face;
     s.finish = &world.finishes[primitive.material];
     SurfacePoint<Real> local;
     if (primitive.frame == none) {
@@ -124,8 +129,9 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, const
                        ? s.geometric
                        : unit(map_transposed(frame.linear_inverse, local.shading));
     }
+    if (owner.turned) s.geometric = -s.geometric;
     if (dot(s.normal, ray.dir) > 0) s.normal = -s.normal;
-    set_color(world, local, s);
+    set_color(world, owner, local, s);
     return s;
 }
 

@@ -50,10 +50,12 @@ Tree tree_of(const Bvh<double>& bvh) {
 
 FlatWorld::FlatWorld(const World<double>& world) {
     items_.reserve(world.primitives.size());
+    finish_of_composites_ = static_cast<std::uint32_t>(world.finishes.size());
     frames_.reserve(world.frames.size());
     for (const lancer::Frame<double>& f : world.frames) frames_.push_back(frame_of(f));
     for (const Primitive<double>& p : world.primitives) add(p);
     for (const lancer::Finish<double>& f : world.finishes) add(f, world);
+    finishes_.emplace_back();  // finish_of_composites_: not plain
     for (const LightSource<double>& light : world.lights) add(light, world);
     scene_.tree = tree_of(world.bvh);
     scene_.items = items_.data();
@@ -78,7 +80,8 @@ void FlatWorld::add(const Primitive<double>& primitive) {
         item.shape = static_cast<std::uint32_t>(meshes_.size());
         add(*mesh, primitive.frame == none ? nullptr : &frames_[primitive.frame]);
     }
-    item.material = primitive.material;
+    // A composite shows its leaves' materials, which the exact methods know.
+    item.material = primitive.composite() == nullptr ? primitive.material : finish_of_composites_;
     item.convex = primitive.convex;
     item.casts_shadow = primitive.casts_shadow;
     item.glassy = primitive.transmissive || primitive.medium;

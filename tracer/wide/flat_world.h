@@ -33,6 +33,7 @@ class FlatWorld {
     std::vector<Frame> frames_;  ///< as World::frames
     std::vector<Finish> finishes_;
     std::vector<Light> lights_;
+    std::uint32_t finish_of_composites_ = 0;  ///< one that is left to the exact methods
     Scene scene_{};
 };
 

@@ -109,15 +109,15 @@ class ScalarMethods final : public ExactMethods {
         const bool glassy = primitive.transmissive || primitive.medium;
         const auto limit = [&] { return sink.limit(sink.self); };
         const RayInterval<double, decltype(limit)> interval{0, limit};
-        primitive_crossings(world_, world_.primitives[item], ray, accept.hints(item), interval,
-                            [&](const Crossing<double>& c, double u, double v) {
-                                // Which crossings with glass count is not asked here: what it may
-                                // be met by is left to the recursion.
-                                if (glassy ? c.t >= -c.error : accept(item, c))
-                                    sink.add(sink.self, {accept.met_at(c), c.error, u, v, item,
-                                                         c.face, c.entering});
-                                return false;
-                            });
+        crossings_from(world_, item, ray, accept, accept.hints(item), interval,
+                       [&](const Crossing<double>& c, double u, double v) {
+                           // Which crossings with glass count is not asked here: what it may
+                           // be met by is left to the recursion.
+                           if (glassy ? c.t >= -c.error : accept(item, c))
+                               sink.add(sink.self, {accept.met_at(c), c.error, u, v, item, c.face,
+                                                    c.entering});
+                           return false;
+                       });
     }
 
     bool blocks(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,
@@ -130,12 +130,12 @@ class ScalarMethods final : public ExactMethods {
         query.at = item;
         const LightInterval<double, NoMedia> limit{query};
         const RayInterval<double, LightInterval<double, NoMedia>> interval{0, limit};
-        primitive_crossings(world_, world_.primitives[item], ray, query.hints(), interval,
-                            [&](const Crossing<double>& c, double, double) {
-                                if (accept(item, c) && c.t < distance - c.error)
-                                    query.occlusion = Occlusion::blocked;
-                                return query.occlusion == Occlusion::blocked;
-                            });
+        crossings_from(world_, item, ray, accept, query.hints(), interval,
+                       [&](const Crossing<double>& c, double, double) {
+                           if (accept(item, c) && c.t < distance - c.error)
+                               query.occlusion = Occlusion::blocked;
+                           return query.occlusion == Occlusion::blocked;
+                       });
         return query.occlusion == Occlusion::blocked;
     }
 
@@ -226,6 +226,7 @@ WideWorld::~WideWorld() = default;
 std::unique_ptr<WideTracer> WideWorld::tracer(const TraceLimits& limits,
                                               const CameraFrame<double>& camera) const {
     if (camera.ahead != 0 || !is_followed(limits, 1.0, 0)) return nullptr;
+    if (world_.planes != world_.bounded) return nullptr;  // something in no tree that is no plane
     const wide::Scene& scene = arrays_->flat.scene();
     if (!world_.has_media && !world_.has_transmission)
         return std::make_unique<wide::LevelTracer<OpaqueTracer<double>>>(world_, scene, limits,

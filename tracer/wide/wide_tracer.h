@@ -43,8 +43,9 @@ class WideWorld {
 
     Level level() const { return level_; }
 
-    /// Null where rays go one by one: from a camera far from the scene, or, in worlds with media,
-    /// from one that may be in a body or has no place.
+    /// Null where rays go one by one: in a world with a composite that has no bounds, from a camera
+    /// far from the scene, or, in worlds with media, from one that may be in a body or has no
+    /// place.
     std::unique_ptr<WideTracer> tracer(const TraceLimits& limits,
                                        const CameraFrame<double>& camera) const;
 

@@ -1,0 +1,243 @@
+// Where a ray goes into a composite and out of it: where the state of the whole changes.
+#pragma once
+
+#include <optional>
+
+#include "tracer/intersect/composite_events.h"
+
+namespace lancer {
+
+/// What is known about a ray and a composite before their crossings are computed.
+template <class Real>
+struct CompositeStart {
+    const Start<Real>* start = nullptr;  ///< null: nothing; all crossings of the line are wanted
+    std::uint32_t primitive = none;      ///< the composite, as `start` names it
+    std::optional<bool> inside{};        ///< whether the ray is in it, where a list tells
+};
+
+/// The crossings of one ray with one composite.
+///
+/// All crossings of leaves that cannot be told apart happen at once, as in a contact of several
+/// objects: their bounds decide. Whether a leaf holds a point follows from what the ray crosses
+/// beyond it, so the line is gone through from its far end back to the start.
+template <class Real>
+class CompositeWalk {
+  public:
+    CompositeWalk(const CompositeTree<Real>& tree, const Ray<Real>& ray,
+                  const CompositeStart<Real>& known)
+        : tree_(tree),
+          ray_(ray),
+          known_(known),
+          fresh_(known.start != nullptr && known.start->fresh),
+          search_(tree, ray, first_of(known), fresh_ ? &known.start->surfaces : nullptr,
+                  known.primitive),
+          state_(tree) {
+        search_.find(events_, state_);
+        std::sort(events_.begin(), events_.end(), before);
+        std::size_t ahead = 0;
+        if (fresh_) ahead = put_first([&](const Event& e) { return !is_ahead(e); });
+        make_contacts(ahead);
+        go_back();
+        if (fresh_) cross_start(ahead);
+    }
+
+    /// Whether the ray is in the whole once it has started.
+    bool starts_inside() const { return at_start_; }
+
+    /// report(Crossing, u, v) returns true to stop.
+    template <class Last, class Report>
+    void tell(const RayInterval<Real, Last>& interval, Report&& report) const {
+        bool inside = known_.inside.value_or(expected_);
+        std::size_t next = 0;
+        if (known_.start != nullptr && inside != at_start_) {
+            if (next < changes_.size() && is_at_once(changes_[next])) {
+                ++next;  // as near as rounding can tell, the ray is where it was said to be
+            } else {
+                if (at_once_ && tell_of(*at_once_, interval, report)) return;
+                inside = at_start_;
+            }
+        }
+        for (; next < changes_.size(); ++next) {
+            if (changes_[next].entering == inside) continue;
+            inside = changes_[next].entering;
+            if (interval.ends_before(changes_[next].t)) return;
+            if (tell_of(changes_[next], interval, report)) return;
+        }
+    }
+
+  private:
+    using Event = CompositeEvent<Real>;
+
+    /// A contact at which the whole is entered or left.
+    struct Change {
+        Real t, error;
+        std::size_t shown;       ///< in events_: whose face it is; `no_event`: the start's
+        std::size_t begin, end;  ///< of the contact's events
+        bool entering;
+    };
+    struct Range {
+        std::size_t begin, end;
+    };
+    static constexpr std::size_t no_event = ~std::size_t{0};
+
+    static Real first_of(const CompositeStart<Real>& known) {
+        using std::abs;
+        if (known.start == nullptr || !known.start->fresh)
+            return -std::numeric_limits<Real>::infinity();
+        return known.start->t - abs(known.start->t) * gamma<Real>(32);
+    }
+    static bool before(const Event& a, const Event& b) {
+        if (a.t != b.t) return a.t < b.t;
+        if (a.leaf != b.leaf) return a.leaf < b.leaf;
+        return a.face < b.face;
+    }
+    bool is_ahead(const Event& e) const { return e.t - known_.start->t > e.error; }
+
+    /// Moves the events that are wanted to the front, each part in its order. Returns their number.
+    template <class Wanted>
+    std::size_t put_first(const Wanted& wanted) {
+        const auto begin = events_.begin();
+        const auto end = std::is_partitioned(begin, events_.end(), wanted)
+                             ? std::partition_point(begin, events_.end(), wanted)
+                             : std::stable_partition(begin, events_.end(), wanted);
+        return static_cast<std::size_t>(end - begin);
+    }
+
+    /// From the first event on: it, and what cannot be told apart from it.
+    void make_contacts(std::size_t begin) {
+        Real widest = 0;
+        for (std::size_t i = begin; i < events_.size(); ++i)
+            widest = std::max(widest, events_[i].error);
+        while (begin < events_.size()) {
+            const Event anchor = events_[begin];
+            std::size_t end = begin + 1;
+            for (std::size_t i = end; i < events_.size(); ++i) {
+                const Real apart = events_[i].t - anchor.t;
+                if (apart > anchor.error + widest) break;
+                if (apart > anchor.error + events_[i].error) continue;
+                const auto at = [&](std::size_t k) {
+                    return events_.begin() + static_cast<std::ptrdiff_t>(k);
+                };
+                std::rotate(at(end), at(i), at(i + 1));
+                ++end;
+            }
+            contacts_.push_back({begin, end});
+            begin = end;
+        }
+    }
+
+    /// Undoes a contact, and returns what it did to the whole.
+    std::optional<Change> undo(const Range& contact) {
+        const bool after = state_.holds();
+        const auto begin = events_.begin() + static_cast<std::ptrdiff_t>(contact.begin);
+        const auto end = events_.begin() + static_cast<std::ptrdiff_t>(contact.end);
+        std::sort(begin, end, [](const Event& a, const Event& b) {
+            return a.leaf != b.leaf ? a.leaf < b.leaf : before(a, b);
+        });
+        state_.begin_step();
+        turned_.clear();
+        for (auto e = begin; e != end;) {
+            const std::uint32_t leaf = e->leaf;
+            // Two faces of a mesh that meet at an edge are one way in.
+            std::size_t in = no_event;
+            std::size_t out = no_event;
+            for (; e != end && e->leaf == leaf; ++e) {
+                std::size_t& way = e->entering ? in : out;
+                if (way == no_event) way = static_cast<std::size_t>(e - events_.begin());
+            }
+            if ((in == no_event) == (out == no_event)) continue;
+            const std::uint32_t depth = state_.depth(leaf);
+            const bool enters = in != no_event;
+            state_.set_depth(leaf, enters ? depth - (depth > 0 ? 1 : 0) : depth + 1);
+            if (enters ? depth == 1 : depth == 0) turned_.push_back(enters ? in : out);
+        }
+        if (state_.holds() == after) return std::nullopt;
+        for (const std::size_t i : turned_) {
+            if (state_.changed_the_whole(events_[i].leaf))
+                return Change{events_[i].t, events_[i].error, i, contact.begin, contact.end, after};
+        }
+        return std::nullopt;
+    }
+
+    /// From the far end back: fills changes_, the nearest first.
+    void go_back() {
+        std::size_t passed = 0;  // contacts that the ray has behind it
+        if (known_.start != nullptr && !fresh_) {
+            while (passed < contacts_.size() && !is_ahead(events_[contacts_[passed].begin]))
+                ++passed;
+        }
+        for (std::size_t i = contacts_.size(); i-- > passed;) {
+            if (const auto change = undo(contacts_[i])) changes_.push_back(*change);
+        }
+        std::reverse(changes_.begin(), changes_.end());
+        at_start_ = state_.holds();
+        expected_ = at_start_;
+        if (fresh_) return;
+        while (passed-- > 0 && !at_once_) at_once_ = undo(contacts_[passed]);
+        if (known_.start == nullptr) return;
+        if (at_once_ && known_.start->t - at_once_->t <= at_once_->error) expected_ = !at_start_;
+    }
+
+    /// What lies at the start, or before it: where the ray may be found on the other side than it
+    /// was said to be.
+    void cross_start(std::size_t end) {
+        const std::uint32_t own = search_.first_started();
+        if (own != none) {
+            // A ray that starts on a face is on the side of it that it goes to.
+            expected_ = (state_.depth(own) > 0) != tree_.leaves[own].subtracted;
+        }
+        std::size_t begin = 0;
+        while (begin < end && known_.start->t - events_[begin].t > events_[begin].error) ++begin;
+        at_once_ = begin < end ? undo({begin, end}) : std::nullopt;
+        if (!at_once_ && own != none)
+            at_once_ = Change{known_.start->t, Real(0), no_event, 0, 0, at_start_};
+        if (at_once_ && own == none && !known_.inside) expected_ = !at_start_;
+    }
+
+    /// Whether rounding cannot tell the contact from the start.
+    bool is_at_once(const Change& change) const {
+        const Real reach = 4 * ray_.origin_error + 8 * change.error +
+                           gamma<Real>(16) * max_component(absolute(ray_.origin));
+        return change.t - known_.start->t <= reach;
+    }
+
+    template <class Last, class Report>
+    bool tell_of(const Change& change, const RayInterval<Real, Last>& interval,
+                 Report& report) const {
+        const auto tell_face = [&](std::uint32_t face, Real u, Real v) {
+            const Crossing<Real> c{change.t, change.error, face, change.entering};
+            return interval.holds(c) && report(c, u, v);
+        };
+        if (change.shown == no_event) {
+            const std::uint32_t first = tree_.leaves[search_.first_started()].first_face;
+            return tell_face(first + search_.first_face(), Real(0), Real(0));
+        }
+        const Event& shown = events_[change.shown];
+        if (tell_face(tree_.leaves[shown.leaf].first_face + shown.face, shown.u, shown.v))
+            return true;
+        if (known_.start == nullptr) return false;
+        for (std::size_t i = change.begin; i < change.end; ++i) {
+            const Event& e = events_[i];
+            if (i == change.shown) continue;
+            if (tell_face((tree_.leaves[e.leaf].first_face + e.face) | hidden_face, e.u, e.v))
+                return true;
+        }
+        return false;
+    }
+
+    const CompositeTree<Real>& tree_;
+    const Ray<Real>& ray_;
+    const CompositeStart<Real>& known_;
+    const bool fresh_;
+    const CompositeSearch<Real> search_;
+    CompositeState<Real> state_;
+    CompositeEvents<Real> events_;
+    boost::container::small_vector<Range, 16> contacts_;
+    boost::container::small_vector<Change, 16> changes_;
+    boost::container::small_vector<std::size_t, 8> turned_;
+    std::optional<Change> at_once_;  ///< how the ray comes to be where it is
+    bool at_start_ = false;
+    bool expected_ = false;  ///< whether it is taken to be inside, where no list tells
+};
+
+}  // namespace lancer
