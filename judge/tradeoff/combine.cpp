@@ -77,6 +77,7 @@ std::vector<TradeSetting> promising(const TurnedScene& turned, const KnobEffect&
         }
         // What is beaten now stays so: the other knobs do the same to both.
         std::vector<TradePoint> points;
+        points.reserve(all.size());
         for (const Candidate& c : all) points.push_back(c.expected);
         std::vector<Candidate> kept;
         for (const std::size_t i : frontier(points)) kept.push_back(all[i]);

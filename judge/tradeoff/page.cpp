@@ -188,6 +188,7 @@ std::vector<std::string> plot_names(const std::vector<std::string>& scenes) {
 std::string tradeoff_page(std::vector<TradeOffReport> reports, std::size_t most_bytes) {
     fit(reports, most_bytes);
     std::vector<std::string> scenes;
+    scenes.reserve(reports.size());
     for (const TradeOffReport& r : reports) scenes.push_back(r.scene);
     const std::vector<std::string> plots = plot_names(scenes);
     std::string html = fmt::format(
@@ -213,6 +214,7 @@ void write_tradeoff(std::vector<TradeOffReport> reports, const std::string& fold
     if (error)
         throw FileError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
     std::vector<std::string> scenes;
+    scenes.reserve(reports.size());
     for (const TradeOffReport& r : reports) scenes.push_back(r.scene);
     const std::vector<std::string> plots = plot_names(scenes);
     for (std::size_t i = 0; i < reports.size(); ++i)
