@@ -54,6 +54,7 @@ struct ShapeWriter {
     void operator()(const PatchRef&) const {}
     void operator()(const LatheRef&) const {}
     void operator()(const PrismRef&) const {}
+    void operator()(const CompositeRef&) const {}
     void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
         line(fmt::format("TRI V0 {} V1 {} V2 {}", vector(a), vector(b), vector(c)));
     }
