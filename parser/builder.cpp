@@ -132,7 +132,9 @@ void Builder::part() {
 
 void Builder::argument() {
     ast::Argument argument;
-    if (!labels_.empty()) {
+    // A label from outside of a block in place belongs to the call around it.
+    const std::size_t outside = skips_.empty() ? 0 : skips_.back().labels;
+    if (labels_.size() > outside) {
         argument = labels_.back();
         labels_.pop_back();
     }

@@ -177,7 +177,7 @@ class Builder {
     /// A block in place that is being read: what there was before it.
     struct Skip {
         std::uint32_t step = 0;
-        std::size_t arguments = 0, statements = 0;
+        std::size_t arguments = 0, statements = 0, labels = 0;
     };
 
     ast::Expression take_value();

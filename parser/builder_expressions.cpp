@@ -227,7 +227,7 @@ bool Builder::is_block_in_place(const char* at) {
 /// Its statements have steps of their own, over which the expression around goes on.
 void Builder::begin_in_place(const char* begin, const char* end) {
     skips_.push_back({static_cast<std::uint32_t>(file_.steps.size()), file_.arguments.size(),
-                      file_.statements.size()});
+                      file_.statements.size(), labels_.size()});
     emit(Op::skip, begin, end, 0);
     begin_statement(ast::Statement::Kind::block, begin, end);
 }

@@ -165,7 +165,8 @@ void Evaluator::execute_call(const ast::File& file, const ast::Statement& statem
     if (!match_arguments(file, statement, home, definition, given)) return;
     if (!are_complete(home, definition, place, given)) return;
     enter_call(place, text(name));
-    const Scopes::Caller caller = scopes_.enter(*callee);
+    // Calls in the arguments may have moved the bindings.
+    const Scopes::Caller caller = scopes_.enter(*scopes_.find_callable(name));
     scopes_.open();
     bind_given(home, definition, given);
     Frame& frame = push(Frame::Kind::call, home, definition.body);
