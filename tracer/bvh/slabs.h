@@ -146,9 +146,10 @@ template <class Real>
 template <class Number>
 inline constexpr Number far_factor = 1 + 2 * gamma<Number>(5);
 
-template <class Real>
-Children<Real> widened_far(const Children<Real>& far) {
-    return far * Children<Real>(far_factor<BoxNumber<Real>>);
+/// \tparam Numbers  Children<Real>
+template <class Real, class Numbers>
+Numbers widened_far(const Numbers& far) {
+    return far * Numbers(far_factor<BoxNumber<Real>>);
 }
 
 }  // namespace lancer

@@ -10,8 +10,8 @@ namespace lancer {
 
 // Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986: without widening.
 
-template <methods::Tree Real>
-Children<Real> widened_far(const Children<Real>& far) {
+template <methods::Tree Real, class Numbers>
+Numbers widened_far(const Numbers& far) {
     return far;
 }
 
