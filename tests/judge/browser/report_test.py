@@ -4,18 +4,11 @@
 Needs python3, chromium and chromium-driver; without them it exits with 77, which ctest calls skipped.
 """
 import os
-import pathlib
-import shutil
 import struct
 import subprocess
-import sys
-import tempfile
-import unittest
 import zlib
 
-from webdriver import Browser
-
-LANCER = SCREENSHOT = CHROMEDRIVER = CHROMIUM = None
+import page_case
 
 
 def write_png(path, color_at, width=96, height=64):
@@ -36,34 +29,18 @@ def disc(radius, color):
 VISIBLE = "return [...document.querySelectorAll('article')].filter(a => !a.hidden).map(a => a.dataset.name)"
 
 
-class ReportPage(unittest.TestCase):
+class ReportPage(page_case.PageTest):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        root = pathlib.Path(cls.folder.name)
+    def make(cls, root):
         for side in ("ours", "theirs"):
             (root / side).mkdir()
             write_png(root / side / "equal.png", disc(20, (200, 80, 60)))
         write_png(root / "ours" / "moved.png", disc(20, (60, 160, 80)))
         write_png(root / "theirs" / "moved.png", disc(24, (60, 160, 80)))
         write_png(root / "ours" / "lonely.png", disc(10, (0, 0, 0)))
-        run = subprocess.run([LANCER, "compare", root / "ours", root / "theirs", "--report", root / "report"],
+        run = subprocess.run([cls.lancer, "compare", root / "ours", root / "theirs", "--report", root / "report"],
                              capture_output=True, text=True, check=False)
         assert run.returncode == 1, run.stderr
-        cls.url = (root / "report" / "index.html").as_uri()
-        cls.page = Browser(CHROMEDRIVER, CHROMIUM)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.page.close()
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.page.open(self.url)
-
-    def tearDown(self):
-        errors = [entry for entry in self.page.log() if entry["level"] in ("SEVERE", "WARNING")]
-        self.assertEqual(errors, [])
 
     def card(self, name):
         return "#" + self.page.run("return [...document.querySelectorAll('article')]"
@@ -73,13 +50,11 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(self.page.run(VISIBLE), ["lonely.png", "moved.png", "equal.png"])
         widths = self.page.run("return [...document.querySelectorAll('.frame img')].map(i => i.naturalWidth)")
         self.assertEqual(widths, [96] * 6)
-        self.page.screenshot(SCREENSHOT)
-        self.assertGreater(os.path.getsize(SCREENSHOT), 10_000)
+        self.page.screenshot(self.screenshot)
+        self.assertGreater(os.path.getsize(self.screenshot), 10_000)
 
     def test_nothing_is_loaded(self):
-        loaded = self.page.run("return performance.getEntriesByType('resource').map(r => r.name)"
-                               ".filter(n => !n.startsWith('data:'))")
-        self.assertEqual(loaded, [])
+        self.assert_nothing_is_loaded()
 
     def test_search_filters_cards_and_rows(self):
         self.page.type("#search", "moved")
@@ -203,12 +178,4 @@ class ReportPage(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    LANCER, SCREENSHOT = sys.argv[1:]
-    CHROMEDRIVER = shutil.which("chromedriver")
-    CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-    if not (CHROMEDRIVER and CHROMIUM):
-        print("NOT TESTED: the report in a browser needs chromium and chromium-driver")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    page_case.run("the report", __doc__)

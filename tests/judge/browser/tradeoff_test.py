@@ -4,16 +4,9 @@
 Needs python3, chromium and chromium-driver; without them it exits with 77, which ctest calls skipped.
 """
 import os
-import pathlib
-import shutil
 import subprocess
-import sys
-import tempfile
-import unittest
 
-from webdriver import Browser
-
-LANCER = SCREENSHOT = CHROMEDRIVER = CHROMIUM = None
+import page_case
 
 SCENE = """image { width 32 height 24 }
 camera front { position [3, 3, 5] look_at [0, 0.5, 0] }
@@ -25,30 +18,14 @@ RIGHT, LEFT, DOWN = "\ue014", "\ue012", "\ue015"
 SHOWN = "return [...document.querySelectorAll('.detail')].filter(d => d.offsetParent).map(d => d.id)"
 
 
-class TradeOffPage(unittest.TestCase):
+class TradeOffPage(page_case.PageTest):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        root = pathlib.Path(cls.folder.name)
+    def make(cls, root):
         (root / "a.lancer").write_text(SCENE)
-        run = subprocess.run([LANCER, "tradeoff", root / "a.lancer", "--size", "24x18", "--budget", "6", "--no-cache",
+        run = subprocess.run([cls.lancer, "tradeoff", root / "a.lancer", "--size", "24x18", "--budget", "6", "--no-cache",
                               "--report", root / "report"], capture_output=True, text=True, check=False)
         assert run.returncode == 0, run.stderr
-        cls.url = (root / "report" / "index.html").as_uri()
         cls.plot = (root / "report" / "plot.svg").as_uri()
-        cls.page = Browser(CHROMEDRIVER, CHROMIUM)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.page.close()
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.page.open(self.url)
-
-    def tearDown(self):
-        errors = [entry for entry in self.page.log() if entry["level"] in ("SEVERE", "WARNING")]
-        self.assertEqual(errors, [])
 
     def shown(self):
         ids = self.page.run(SHOWN)
@@ -58,13 +35,11 @@ class TradeOffPage(unittest.TestCase):
     def test_exact_is_shown_first_with_its_picture(self):
         self.assertIn("exact", self.page.run("return document.querySelector('.detail.now h3').textContent"))
         self.assertEqual(self.page.run("return document.querySelector('.detail.now img').naturalWidth"), 24)
-        self.page.screenshot(SCREENSHOT)
-        self.assertGreater(os.path.getsize(SCREENSHOT), 10_000)
+        self.page.screenshot(self.screenshot)
+        self.assertGreater(os.path.getsize(self.screenshot), 10_000)
 
     def test_nothing_is_loaded(self):
-        loaded = self.page.run("return performance.getEntriesByType('resource').map(r => r.name)"
-                               ".filter(n => !n.startsWith('data:'))")
-        self.assertEqual(loaded, [])
+        self.assert_nothing_is_loaded()
 
     def test_pointing_shows_a_setting(self):
         for kind in ("a.point", "tr"):
@@ -128,12 +103,4 @@ class TradeOffPage(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    LANCER, SCREENSHOT = sys.argv[1:]
-    CHROMEDRIVER = shutil.which("chromedriver")
-    CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-    if not (CHROMEDRIVER and CHROMIUM):
-        print("NOT TESTED: the page in a browser needs chromium and chromium-driver")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    page_case.run("the page", __doc__)
