@@ -18,10 +18,6 @@ std::string tidied(const std::filesystem::path& path) {
     return (elsewhere ? path : tidy).string();
 }
 
-std::string count_of(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " argument" : " arguments");
-}
-
 }  // namespace
 
 void Evaluator::define_callable(const ast::File& file, const ast::Statement& statement) {
@@ -100,7 +96,7 @@ bool Evaluator::match_arguments(const ast::File& file, const ast::Statement& cal
         } else if (index >= parameters.size()) {
             good = false;
             report_.error(Message::too_many_arguments, file.span(argument.value), callee,
-                          count_of(parameters.size()), arguments.size());
+                          arguments_text(parameters.size()), arguments.size());
             continue;
         }
         if (given[index].is_given) {

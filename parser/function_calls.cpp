@@ -10,17 +10,6 @@ namespace lancer {
 
 using ast::Op;
 
-/// "1 argument", "2 or 3 arguments", "2 or more arguments".
-static std::string count_text(std::size_t least, std::size_t most) {
-    std::string text = std::to_string(least);
-    if (most > least + 1) {
-        text += " or more";
-    } else if (most > least) {
-        text += " or " + std::to_string(most);
-    }
-    return text + (text == "1" ? " argument" : " arguments");
-}
-
 /// `sin(90)`: an angle that can only be meant in degrees, as a number written in place.
 void Evaluator::warn_of_degrees(const ast::File& file, const ast::Step& call,
                                 std::string_view function) {
@@ -51,7 +40,7 @@ Value Evaluator::apply_function(const Function& function, const ast::File& file,
     }
     if (count < function.least || count > function.most) {
         report_.error(Message::function_count, place, function.name,
-                      count_text(function.least, function.most), count);
+                      arguments_text(function.least, function.most), count);
         good = false;
     }
     if (!good) return {};
@@ -88,7 +77,7 @@ bool Evaluator::arrange_arguments(const Run& run, const ast::Step& call, const B
     }
     if (unnamed > parameters.size()) {
         report_.error(Message::too_many_arguments, place, text(definition.name),
-                      count_text(parameters.size(), parameters.size()), count);
+                      arguments_text(parameters.size()), count);
         return false;
     }
     if (!labels.empty() && !arrange_named(run, callee, labels, unnamed)) return false;

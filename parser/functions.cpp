@@ -341,6 +341,16 @@ constexpr Constant constants[] = {
 
 }  // namespace
 
+std::string arguments_text(std::size_t least, std::size_t most) {
+    std::string text = std::to_string(least);
+    if (most > least + 1) {
+        text += " or more";
+    } else if (most > least) {
+        text += " or " + std::to_string(most);
+    }
+    return text + (text == "1" ? " argument" : " arguments");
+}
+
 std::span<const Function> all_functions() {
     return functions;
 }

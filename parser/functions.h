@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "parser/operators.h"
@@ -18,6 +19,12 @@ struct Function {
 };
 
 std::span<const Function> all_functions();
+
+/// "1 argument", "2 or 3 arguments", "2 or more arguments": what a call may have.
+std::string arguments_text(std::size_t least, std::size_t most);
+inline std::string arguments_text(std::size_t count) {
+    return arguments_text(count, count);
+}
 
 struct Constant {
     std::string_view name;

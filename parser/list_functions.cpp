@@ -21,12 +21,6 @@ std::vector<Value> room_for(std::uint64_t count, const Site& site) {
     return room;
 }
 
-std::string count_of(const Value& value) {
-    const std::uint64_t count = size_of(value);
-    const bool text = value.is(Value::Kind::text);
-    return std::to_string(count) + (text ? " character" : " element") + (count == 1 ? "" : "s");
-}
-
 /// A sum and what was lost of it.
 struct Sum {
     double value = 0, lost = 0;
@@ -74,7 +68,7 @@ Value slice(std::string_view name, std::span<const Value> a, const Site& site) {
     }
     if (!(bounds[0] >= 0 && bounds[0] <= bounds[1] && bounds[1] <= size)) {
         site.report.error(Message::slice_range, site.place, to_text(bounds[0]), to_text(bounds[1]),
-                          text ? "string" : "list", count_of(a[0]));
+                          text ? "string" : "list", size_text(a[0]));
         return {};
     }
     const auto from = static_cast<std::uint64_t>(bounds[0]);

@@ -223,6 +223,12 @@ std::uint64_t size_of(const Value& value) {
     return value.is(Value::Kind::text) ? value.characters() : value.size();
 }
 
+std::string size_text(const Value& value) {
+    const std::uint64_t count = size_of(value);
+    const bool text = value.is(Value::Kind::text);
+    return std::to_string(count) + (text ? " character" : " element") + (count == 1 ? "" : "s");
+}
+
 Value characters_of(const Value& text, std::uint64_t from, std::uint64_t count, const Site& site) {
     const std::string_view all = text.text();
     std::size_t begin = from;
@@ -254,11 +260,9 @@ Value element_at(const Value& list, const Value& index, const Site& site) {
         site.report.error(Message::index_type, site.place, describe(index));
         return {};
     }
-    const std::uint64_t size = size_of(list);
-    if (index.number() < 0 || index.number() >= static_cast<double>(size)) {
-        site.report.error(
-            Message::index_range, site.place, to_text(index.number()), text ? "string" : "list",
-            std::to_string(size) + (text ? " character" : " element") + (size == 1 ? "" : "s"));
+    if (index.number() < 0 || index.number() >= static_cast<double>(size_of(list))) {
+        site.report.error(Message::index_range, site.place, to_text(index.number()),
+                          text ? "string" : "list", size_text(list));
         return {};
     }
     const auto at = static_cast<std::uint64_t>(index.number());

@@ -22,6 +22,8 @@ Value apply_unary(ast::Op op, const Value& a, const Site& site);
 /// `list[index]`.
 /// How many elements a list has, or characters a string.
 std::uint64_t size_of(const Value& value);
+/// The same in words: "1 element", "3 characters".
+std::string size_text(const Value& value);
 
 /// Characters of a string that has them.
 Value characters_of(const Value& text, std::uint64_t from, std::uint64_t count, const Site& site);
