@@ -7,6 +7,7 @@
 
 #include "cli/arguments.h"
 #include "cli/session.h"
+#include "model/precision_names.h"
 
 namespace lancer::cli {
 namespace {
@@ -16,9 +17,8 @@ constexpr std::int64_t deepest = 1000;
 constexpr std::int64_t most_samples = 1000;  // per axis
 
 Precision parse_precision(const std::string& text) {
-    if (text == "single") return Precision::single;
-    if (text == "double") return Precision::double_;
-    if (text == "extended") return Precision::extended;
+    for (const Precision precision : all_precisions)
+        if (text == name_of(precision)) return precision;
     throw UsageError("'" + text + "' is no precision: expected single, double or extended");
 }
 

@@ -19,6 +19,7 @@
 #include "cli/stopwatch.h"
 #include "judge/stability/stability_text.h"
 #include "model/diagnostic.h"
+#include "model/precision_names.h"
 
 namespace lancer::cli {
 namespace {
@@ -46,18 +47,6 @@ struct StabilityJob {
     SettingsOptions settings;
     SceneOptions scene_options;
 };
-
-const char* precision_name(Precision precision) {
-    switch (precision) {
-        case Precision::single:
-            return "single";
-        case Precision::double_:
-            return "double";
-        case Precision::extended:
-            return "extended";
-    }
-    return "";
-}
 
 /// What to try: all changes or those of --try, as far as is usual or asked for; and what is
 /// demanded.
@@ -136,7 +125,7 @@ ExitCode stability(const StabilityJob& job, Session& session) {
 
     StabilityReport report;
     report.scene = job.scene == "-" ? "standard input" : job.scene;
-    report.precision = precision_name(scene.settings.precision);
+    report.precision = name_of(scene.settings.precision);
     report.width = size.width;
     report.height = size.height;
     report.options.fail = job.fail.value_or(report.options.fail);

@@ -7,6 +7,7 @@
 
 #include "judge/report/html.h"
 #include "model/elementary.h"
+#include "model/precision_names.h"
 #include "model/quality.h"
 
 namespace lancer::judge {
@@ -36,18 +37,6 @@ double as_typed(double value) {
     const std::string text = typed(value);
     std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
-}
-
-const char* precision_word(Precision precision) {
-    switch (precision) {
-        case Precision::single:
-            return "single";
-        case Precision::double_:
-            return "double";
-        case Precision::extended:
-            return "extended";
-    }
-    return "";
 }
 
 class Namer {
@@ -132,7 +121,7 @@ TradeSetting named(const TurnedScene& turned, TradeSetting setting) {
     }
     if (s.tolerance != own.tolerance && s.tolerance)
         name.add("tolerance " + typed(*s.tolerance), "--tolerance " + typed(*s.tolerance));
-    const std::string precision = precision_word(s.precision);
+    const std::string precision(name_of(s.precision));
     name.add(s.precision == Precision::double_ ? "" : precision,
              s.precision == own.precision ? "" : "--precision " + precision);
     if (s.shadows != own.shadows) name.add("no shadows", "--no-shadows");

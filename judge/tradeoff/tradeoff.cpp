@@ -126,10 +126,10 @@ class TradeOff {
             truth_key(options_.cache.content, view_, limits_, scene_.settings.seed);
         report_.truth_cached = read_truth(options_.cache, key, truth_);
         const std::uint32_t cached = truth_.points();
-        Scene surfaces = with_true_surfaces(scene_);
-        Settings settings = turned_.uncut;
-        settings.tolerance = std::nullopt;
-        const std::unique_ptr<Renderer> renderer = compile(surfaces, settings);
+        Scene scene = scene_;
+        scene.settings = turned_.uncut;
+        const Scene surfaces = with_true_surfaces(std::move(scene));
+        const std::unique_ptr<Renderer> renderer = compile(surfaces, surfaces.settings);
         report_.level = name_of(renderer->level());
         refine(*renderer, first_points);
         // The finest on Sobol points and on a grid.
