@@ -28,9 +28,9 @@ def haines_stage(max_depth=5, lights=LIGHTS):
     return stage
 
 
-def flake(stage, depth, center=(0.0, 0.0, 0.0), radius=0.5, axis=(0.0, 0.0, 1.0)):
+def flake(stage, depth, center=(0.0, 0.0, 0.0), radius=0.5, axis=(0.0, 0.0, 1.0), material="ball"):
     """A ball, and nine of a third of its size round it: six at its equator, three above."""
-    stage.sphere(center, radius, "ball")
+    stage.sphere(center, radius, material)
     if depth == 0:
         return
     side = unit(cross(axis, (1, 0, 0) if abs(axis[0]) < 0.9 else (0, 1, 0)))
@@ -40,7 +40,8 @@ def flake(stage, depth, center=(0.0, 0.0, 0.0), radius=0.5, axis=(0.0, 0.0, 1.0)
             a, b = math.radians(turn + 360 * i / count), math.radians(tilt)
             out = [math.sin(b) * (math.cos(a) * s + math.sin(a) * o) + math.cos(b) * n
                    for s, o, n in zip(side, other, axis)]
-            flake(stage, depth - 1, tuple(c + 4 / 3 * radius * d for c, d in zip(center, out)), radius / 3, tuple(out))
+            flake(stage, depth - 1, tuple(c + 4 / 3 * radius * d for c, d in zip(center, out)), radius / 3, tuple(out),
+                  material)
 
 
 def balls(depth):
@@ -130,9 +131,7 @@ texture ramp { gradient [1, 2, 3] stops [[0, [1, 0.2, 0.1]], [0.5, [0.9, 0.9, 0.
 material floor { color tiles ambient 0.1 diffuse 0.8 }
 material striped { color ramp ambient 0.1 diffuse 0.6 phong 0.3 }
 plane { normal [0, 0, 1] offset -0.49 material floor }""")
-    before = len(stage.lancer)
-    flake(stage, 3)
-    stage.lancer[before:] = [line.replace("material ball", "material striped") for line in stage.lancer[before:]]
+    flake(stage, 3, material="striped")
     return stage
 
 

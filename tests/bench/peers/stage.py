@@ -16,7 +16,7 @@ def mirrored(v):
 
 
 class Stage:
-    """Collects both texts. `only_lancer` says that Tachyon has no word for the scene."""
+    """Collects both texts. `can_tachyon` says whether Tachyon has words for the scene."""
 
     def __init__(self, background, max_depth):
         self.lancer = [f"render {{ max_depth {max_depth} }}", f"background {triple(background)}"]
