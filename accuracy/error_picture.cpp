@@ -13,6 +13,7 @@ bool ErrorReport::is_flat() const {
 }
 
 bool ErrorReport::is_reached() const {
+    if (off) return (audited ? off->estimate.high : off->predicted) <= off->asked;
     if (asked == 0) return true;
     if (!audited) return predicted <= asked;
     return !rare_light && (is_flat() || (is_told && error.high <= asked));

@@ -2,16 +2,27 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "accuracy/audit.h"
+#include "accuracy/off_audit.h"
 #include "accuracy/prediction.h"
 
 namespace lancer::accuracy {
 
+/// Pixels that are off by more than so much, where a share of them was asked for.
+struct OffReport {
+    double asked = 0;      ///< share of the pixels
+    double steps = 0;      ///< of 8 bits
+    OffEstimate estimate;  ///< of the audit that is printed
+    double predicted = 0;  ///< share, from the picture's own samples
+};
+
 struct ErrorReport {
-    double asked = 0;  ///< 0: no error, but a time or a number of passes
-    int passes = 0;    ///< then: how many were made
+    double asked = 0;  ///< 0: no error, but a time, a number of passes or a share of pixels off
+    std::optional<OffReport> off;  ///< in place of what is told of the RMSE
+    int passes = 0;                ///< then: how many were made
     bool audited = false;
     /// Earlier audits say that one that is printed can be relied on. They alone decide it: were
     /// low draws printed and high ones refused, intervals would be too low.
@@ -30,7 +41,7 @@ struct ErrorReport {
 
     /// No draw found any difference, and the picture's own samples know of none either.
     bool is_flat() const;
-    /// Told, and below what was asked; or flat. Without an audit, predicted so. True when no error
+    /// Told, and below what was asked; or flat. Without an audit, predicted so. True when nothing
     /// was asked for.
     bool is_reached() const;
 };

@@ -83,6 +83,29 @@ FrameRange parse_frames(const std::string& text) {
     throw UsageError(fmt::format("'{}' is no range of frames: expected A..B, as in 1..10", text));
 }
 
+OffTarget parse_off_target(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    if (colon != std::string::npos) {
+        std::string_view percent = std::string_view(text).substr(0, colon);
+        if (percent.ends_with('%')) percent.remove_suffix(1);
+        const auto share = read<double>(percent);
+        const auto steps = read<double>(std::string_view(text).substr(colon + 1));
+        if (share && steps) {
+            if (!(*share >= 0.03 && *share <= 50))
+                throw UsageError(fmt::format(
+                    "--max-off {}: the share of pixels lies between 0.03% and 50%", text));
+            if (!(*steps >= 0.1 && *steps <= 254))
+                throw UsageError(
+                    fmt::format("--max-off {}: the steps lie between 0.1 and 254", text));
+            return {*share / 100, *steps};
+        }
+    }
+    throw UsageError(fmt::format(
+        "--max-off {}: expected P%:N, as in 1%:2: at most 1 % of the pixels off by more than 2 "
+        "steps of 8 bits",
+        text));
+}
+
 void check_crop(const Crop& crop, int width, int height) {
     if (crop.x >= width || crop.y >= height || crop.width > width - crop.x ||
         crop.height > height - crop.y) {

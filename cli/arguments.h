@@ -33,10 +33,17 @@ struct FrameRange {
     double time(std::int64_t frame, bool loop = false) const;
 };
 
+/// `1%:2`: at most 1 % of the pixels may be off by more than 2 steps of 8 bits.
+struct OffTarget {
+    double share = 0;  ///< 0.0003 to 0.5
+    double steps = 0;  ///< 0.1 to 254
+};
+
 /// Each throws UsageError that says what is expected.
 PictureSize parse_size(const std::string& text);
 Crop parse_crop(const std::string& text);
 FrameRange parse_frames(const std::string& text);
+OffTarget parse_off_target(const std::string& text);
 /// Throws UsageError when the crop leaves the picture.
 void check_crop(const Crop& crop, int width, int height);
 double parse_number(const std::string& text);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "accuracy/error_target.h"
+#include "accuracy/off_target.h"
 #include "accuracy/passes.h"
 #include "cli/session.h"
 #include "cli/stopwatch.h"
@@ -183,6 +184,26 @@ ErrorRun render_to_error(const Scene& scene, const SettingsOptions& options,
     }
 }
 
+ErrorRun render_to_share(const Scene& scene, const SettingsOptions& options,
+                         const ErrorOptions& errors, Level level, const View& view,
+                         const Progress& progress) {
+    accuracy::OffGoal goal;
+    goal.share = errors.max_off.value().share;
+    goal.steps = errors.max_off.value().steps;
+    const Setting setting(scene, options, goal.threshold(), level);
+    goal.seed = setting.seed;
+    goal.audited = !errors.no_audit;
+    goal.leaves_out = setting.other != nullptr;
+    goal.fixed = setting.fixed;
+    try {
+        const accuracy::Truth truth = setting.truth(goal.threshold());
+        return setting.run(
+            accuracy::render_to_share(setting.renderer(), truth, view, goal, progress), view);
+    } catch (const accuracy::Unreachable& refused) {
+        throw UsageError(std::string("--max-off: ") + refused.what());
+    }
+}
+
 ErrorRun render_by_passes(const Scene& scene, const SettingsOptions& options,
                           const ErrorOptions& errors, Level level, const View& view,
                           const PassClock& clock) {
@@ -199,7 +220,24 @@ ErrorRun render_by_passes(const Scene& scene, const SettingsOptions& options,
         view);
 }
 
+namespace {
+
+std::string off_line(const accuracy::ErrorReport& r) {
+    const accuracy::OffReport& off = *r.off;
+    const std::string end = fmt::format(
+        "of the pixels are off by more than {:g} steps of 8 bits{}, asked {:g} %; "
+        "{:.3g} rays a pixel",
+        off.steps, r.audited ? "" : " by the picture's own samples, not audited", 100 * off.asked,
+        r.rays_per_pixel);
+    if (!r.audited) return fmt::format("about {:.2g} % {}", 100 * off.predicted, end);
+    return fmt::format("{:.2g} % ({:.2g} to {:.2g} %) {}", 100 * off.estimate.share,
+                       100 * off.estimate.low, 100 * off.estimate.high, end);
+}
+
+}  // namespace
+
 std::string error_line(const accuracy::ErrorReport& r) {
+    if (r.off) return off_line(r);
     const accuracy::ErrorEstimate& e = r.error;
     const std::string asked =
         r.asked > 0 ? fmt::format("asked {:.3g}; {}", r.asked, cost(r)) : cost(r);
@@ -235,6 +273,15 @@ std::vector<std::pair<std::string, std::string>> error_notes(const accuracy::Err
     const accuracy::ErrorEstimate& e = r.error;
     std::vector<std::pair<std::string, std::string>> notes;
     if (r.asked > 0) notes.emplace_back("error.asked", fmt::format("{:.6g}", r.asked));
+    if (r.off) {
+        notes.emplace_back("off.steps", fmt::format("{:.6g}", r.off->steps));
+        notes.emplace_back("off.asked", fmt::format("{:.6g}", r.off->asked));
+    }
+    if (r.off && r.audited) {
+        notes.emplace_back("off.share", fmt::format("{:.6g}", r.off->estimate.share));
+        notes.emplace_back("off.low", fmt::format("{:.6g}", r.off->estimate.low));
+        notes.emplace_back("off.high", fmt::format("{:.6g}", r.off->estimate.high));
+    }
     if (r.passes > 0) notes.emplace_back("passes", fmt::format("{}", r.passes));
     if (r.audited && r.is_told) {
         notes.emplace_back("error.rmse", fmt::format("{:.6g}", e.rmse));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "accuracy/error_picture.h"
+#include "cli/arguments.h"
 #include "cli/settings_options.h"
 #include "model/scene.h"
 #include "tracer/render.h"
@@ -18,12 +19,13 @@ namespace lancer::cli {
 
 struct ErrorOptions {
     std::optional<double> max_error;
+    std::optional<OffTarget> max_off;
     std::optional<double> seconds;       ///< --time
     std::optional<std::int64_t> passes;  ///< --passes
     bool no_audit = false;
 
     /// In place of a number of samples.
-    bool any() const { return max_error || seconds || passes; }
+    bool any() const { return max_error || max_off || seconds || passes; }
 };
 
 /// A picture with a told error, and what the statistics say of its world.
@@ -40,6 +42,11 @@ struct ErrorRun {
 /// command line switches off is part of the error. Throws UsageError when the error cannot be
 /// reached, SceneError.
 ErrorRun render_to_error(const Scene& scene, const SettingsOptions& settings,
+                         const ErrorOptions& options, Level level, const View& view,
+                         const Progress& progress);
+
+/// Renders until at most options.max_off.share of the pixels are off; all else as above.
+ErrorRun render_to_share(const Scene& scene, const SettingsOptions& settings,
                          const ErrorOptions& options, Level level, const View& view,
                          const Progress& progress);
 

@@ -84,6 +84,12 @@ void add_error_options(CLI::App& app, RenderJob& job) {
                "Sample until the error (RMSE, linear light) is below E, and tell it")
         ->type_name("E")
         ->group(group);
+    app.add_option_function<std::string>(
+           "--max-off",
+           [&job](const std::string& text) { job.error.max_off = parse_off_target(text); },
+           "Sample until at most P percent of the pixels are off by more than N steps of 8 bits")
+        ->type_name("P%:N")
+        ->group(group);
     add_number(app, "--time", job.error.seconds, 0.01, 1e6,
                "The best picture within S seconds, pass by pass")
         ->type_name("S")

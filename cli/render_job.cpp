@@ -26,16 +26,17 @@ void check_options(const RenderJob& job) {
     const ErrorOptions& error = job.error;
     if (!error.any()) {
         if (error.no_audit)
-            throw UsageError("--no-audit goes with --max-error, --time or --passes");
+            throw UsageError("--no-audit goes with --max-error, --max-off, --time or --passes");
         return;
     }
     const std::string option = error.max_error ? "--max-error"
+                               : error.max_off ? "--max-off"
                                : error.seconds ? "--time"
                                                : "--passes";
-    if (int(error.max_error.has_value()) + int(error.seconds.has_value()) +
-            int(error.passes.has_value()) >
+    if (int(error.max_error.has_value()) + int(error.max_off.has_value()) +
+            int(error.seconds.has_value()) + int(error.passes.has_value()) >
         1)
-        throw UsageError("one of --max-error, --time and --passes, not two");
+        throw UsageError("one of --max-error, --max-off, --time and --passes, not two");
     if (job.settings.samples)
         throw UsageError(option + " chooses the samples: leave --samples out");
     if (job.settings.quality)
@@ -187,12 +188,18 @@ class Rendering {
     Image image_by_error(const Scene& scene, const View& view, const std::string& output,
                          const Stopwatch& begun, io::ImageWriteOptions& written) {
         const Stopwatch watch;
-        ErrorRun run =
-            job_.error.max_error
-                ? render_to_error(scene, job_.settings, job_.error, job_.level, view, shown())
-                : render_by_passes(scene, job_.settings, job_.error, job_.level, view,
-                                   {[&] { return begun.seconds(); },
-                                    [&](const Image& image) { show(image, view, output, begun); }});
+        const auto run_of = [&] {
+            const ErrorOptions& error = job_.error;
+            if (error.max_error)
+                return render_to_error(scene, job_.settings, error, job_.level, view, shown());
+            if (error.max_off)
+                return render_to_share(scene, job_.settings, error, job_.level, view, shown());
+            return render_by_passes(
+                scene, job_.settings, error, job_.level, view,
+                {[&] { return begun.seconds(); },
+                 [&](const Image& image) { show(image, view, output, begun); }});
+        };
+        ErrorRun run = run_of();
         statistics_.build += run.build_seconds;
         statistics_.trace += watch.seconds() - run.build_seconds;
         statistics_.count(scene, run.world);

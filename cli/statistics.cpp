@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
-#include <utility>
+#include <tuple>
 
 namespace lancer::cli {
 namespace {
@@ -13,6 +13,18 @@ double rays_per_second(const Statistics& s) {
     const std::uint64_t rays =
         s.rays.primary + s.rays.shadow + s.rays.reflected + s.rays.transmitted;
     return s.trace > 0 ? static_cast<double>(rays) / s.trace : 0;
+}
+
+nlohmann::ordered_json off_json(const accuracy::OffReport& off, bool audited) {
+    const auto if_told = [&](double value) {
+        return audited ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+    };
+    return {{"steps", off.steps},
+            {"asked", off.asked},
+            {"share", if_told(off.estimate.share)},
+            {"low", if_told(off.estimate.low)},
+            {"high", if_told(off.estimate.high)},
+            {"predicted", off.predicted}};
 }
 
 /// What is not told is null.
@@ -33,6 +45,7 @@ nlohmann::ordered_json error_json(const accuracy::ErrorReport& r) {
         {"min_contribution", r.limits.min_contribution},
         {"reached", r.is_reached()}};
     if (r.passes > 0) json["passes"] = r.passes;
+    if (r.off) json["off"] = off_json(*r.off, r.audited);
     return json;
 }
 
@@ -55,7 +68,8 @@ void Statistics::count(const Scene& scene, const WorldCounts& counts) {
 
 void Statistics::keep_worse(const accuracy::ErrorReport& report) {
     const auto badness = [](const accuracy::ErrorReport& r) {
-        return std::pair(!r.is_reached(), r.audited ? r.error.rmse : r.predicted);
+        const double rmse = r.audited ? r.error.rmse : r.predicted;
+        return std::tuple(!r.is_reached(), r.off ? r.off->estimate.high : 0, rmse);
     };
     if (!error || badness(report) > badness(*error)) error = report;
 }

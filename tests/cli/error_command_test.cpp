@@ -112,6 +112,12 @@ TEST_F(MaxError, WhatCannotBeReachedIsRefusedWithoutAPicture) {
              {"--max-error", "0"},
              {"--max-error", "2"},
              {"--max-error", "flip"},
+             {"--max-off", "1%"},
+             {"--max-off", "0.001%:2"},
+             {"--max-off", "1%:0"},
+             {"--max-off", "1%:2", "--max-error", "0.01"},
+             {"--max-off", "1%:2", "--samples", "3"},
+             {"--max-off", "1%:2", "--no-shadows"},
              {"--no-audit"}}) {
         const Finished finished = render(options);
         EXPECT_EQ(finished.code, 2) << options.back() << finished.out;
@@ -121,6 +127,37 @@ TEST_F(MaxError, WhatCannotBeReachedIsRefusedWithoutAPicture) {
     EXPECT_THAT(render({"--max-error", "0.00001"}).err, HasSubstr("can be reached"));
     EXPECT_THAT(render({"--max-error", "0.01", "--no-shadows"}).err,
                 HasSubstr("what they leave out costs"));
+}
+
+TEST_F(MaxError, AShareOfPixelsOffIsHeldAndToldAndWritten) {
+    const Finished finished =
+        render({"--max-off", "1%:2", "-o", "a.exr", "--stats", "s.json", "--seed", "3"});
+    EXPECT_EQ(finished.code, 0) << finished.out << finished.err;
+    EXPECT_THAT(finished.out,
+                HasSubstr("of the pixels are off by more than 2 steps of 8 bits, asked 1 %; "));
+    for (const char* name : {"lancer:off.steps", "lancer:off.high", "lancer:rays.per_pixel"})
+        EXPECT_THAT(place_.read("a.exr"), HasSubstr(name));
+    const nlohmann::json told = nlohmann::json::parse(place_.read("s.json")).at("error");
+    EXPECT_EQ(told.at("reached"), true);
+    EXPECT_EQ(told.at("off").at("asked"), 0.01);
+    EXPECT_EQ(told.at("off").at("steps"), 2);
+    EXPECT_LE(told.at("off").at("high"), 0.01);
+    EXPECT_TRUE(told.at("rmse").is_null());
+    ASSERT_EQ(render({"--samples", "32", "--sampling", "sobol", "--seed", "77", "--max-depth", "64",
+                      "--min-contribution", "0", "-o", "truth.exr"})
+                  .code,
+              0);
+    const Image one = place_.image("a.exr");
+    const Image two = place_.image("truth.exr");
+    int off = 0;
+    for (std::size_t i = 0; i < one.data.size(); i += 3) {
+        double most = 0;
+        for (std::size_t c = i; c < i + 3; ++c)
+            most = std::max(most, std::abs(one.data[c] - two.data[c]));
+        off += most > 2 / 255.0;
+    }
+    EXPECT_LE(off, 0.01 * 64 * 48);
+    ASSERT_EQ(render({"--max-off", "5:4", "--no-audit", "-o", "a.png"}).code, 0);
 }
 
 TEST_F(MaxError, HoldsForFramesAndCrops) {

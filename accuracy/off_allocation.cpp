@@ -1,0 +1,100 @@
+#include "accuracy/off_allocation.h"
+
+#include <algorithm>
+#include <queue>
+
+#include "accuracy/allocation.h"
+#include "model/elementary.h"
+
+namespace lancer::accuracy {
+namespace {
+
+constexpr int most_doublings = 8;  // looked ahead: the first may bring nothing, and the third much
+
+/// How likely a pixel of this squared error, summed over channels, is off. A grey error spreads
+/// over three channels, a coloured one may lie in one: two stands for both.
+double chance_off(double error, double threshold) {
+    if (error <= 0) return 0;
+    return elementary::exp(-threshold * threshold / error);
+}
+
+/// The next step for a pixel that mends most a ray.
+struct Step {
+    std::size_t pixel = 0;
+    std::uint32_t count = 0;  ///< samples after it
+    double gain = 0;
+    double per_ray = 0;
+
+    bool operator<(const Step& other) const {
+        return per_ray != other.per_ray ? per_ray < other.per_ray : pixel > other.pixel;
+    }
+};
+
+Step best_step(const Prediction& prediction, std::size_t pixel, std::uint32_t count,
+               double threshold) {
+    Step best;
+    const double now = chance_off(prediction.of(pixel, count), threshold);
+    std::uint32_t next = count;
+    for (int k = 0; k < most_doublings && next < most_per_pixel; ++k) {
+        next *= 2;
+        const double gain = now - chance_off(prediction.of(pixel, next), threshold);
+        const double per_ray = gain / (next - count);
+        if (per_ray > best.per_ray) best = {pixel, next, gain, per_ray};
+    }
+    return best;
+}
+
+}  // namespace
+
+double predicted_off(const Samples& samples, const Prediction& prediction, double threshold) {
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        sum += chance_off(prediction.of(i, samples.pixels()[i].count), threshold);
+    return sum / static_cast<double>(samples.size());
+}
+
+OffAllocation allocation_for(const Samples& samples, const Prediction& prediction, double threshold,
+                             double share, double most_rays) {
+    const double pixels = static_cast<double>(samples.size());
+    OffAllocation result;
+    double off = predicted_off(samples, prediction, threshold) * pixels;
+    std::vector<Step> steps;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const std::uint32_t n = samples.pixels()[i].count;
+        result.counts.push_back(n);
+        result.rays += n;
+        const Step step = best_step(prediction, i, n, threshold);
+        if (step.gain > 1e-3 * share) steps.push_back(step);
+    }
+    std::priority_queue<Step> queue({}, std::move(steps));
+    while (off > share * pixels && !queue.empty()) {
+        const Step step = queue.top();
+        queue.pop();
+        std::uint32_t& n = result.counts[step.pixel];
+        if (result.rays + (step.count - n) > most_rays) break;
+        result.rays += step.count - n;
+        off -= step.gain;
+        n = step.count;
+        const Step next = best_step(prediction, step.pixel, n, threshold);
+        if (next.gain > 1e-3 * share) queue.push(next);
+    }
+    result.share = off / pixels;
+    return result;
+}
+
+bool refine_off(Samples& samples, Prediction& prediction, double threshold, double share,
+                std::uint64_t most_rays, const Progress& progress) {
+    for (;;) {
+        prediction.score(samples);
+        if (predicted_off(samples, prediction, threshold) <= share) return true;
+        OffAllocation wanted =
+            allocation_for(samples, prediction, threshold, share, static_cast<double>(most_rays));
+        if (wanted.share > share) return false;
+        // One doubling at a time: the samples that it brings may say that the next is not needed.
+        for (std::size_t i = 0; i < wanted.counts.size(); ++i)
+            wanted.counts[i] = std::min(wanted.counts[i], 2 * samples.pixels()[i].count);
+        samples.raise(wanted.counts, progress);
+    }
+}
+
+}  // namespace lancer::accuracy
