@@ -18,5 +18,6 @@ void add_compare(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
 void add_tradeoff(CLI::App& app, Action& action);
+void add_probe(CLI::App& app, Action& action);
 
 }  // namespace lancer::cli

@@ -94,6 +94,7 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
     add_validate(app, action);
     add_stability(app, action);
     add_tradeoff(app, action);
+    add_probe(app, action);
     for (CLI::App* command : app.get_subcommands({}))
         command->set_version_flag("--version", "lancer " LANCER_VERSION);
     refuse_unknown_command(app, argc, argv);

@@ -5,17 +5,11 @@
 #include <array>
 #include <set>
 
+#include "cli/scene_words.h"
 #include "model/parts.h"
 
 namespace lancer::cli {
 namespace {
-
-// In the order of the variants' alternatives.
-constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
-    "sphere", "box",   "cylinder", "cone",  "plane",    "triangle",
-    "mesh",   "patch", "lathe",    "prism", "composite"};
-constexpr std::array<std::string_view, std::variant_size_v<LightKind>> light_names{
-    "point light", "directional light", "spot light"};
 
 template <class Things, class IndexOf, std::size_t N>
 std::vector<Count> count_kinds(const Things& things, IndexOf index_of,
@@ -53,21 +47,11 @@ struct TrianglesOf {
 };
 
 /// Who asks: a shape with its name and its material's, or a light.
-std::string describe(const Scene& scene, const Demand& demand) {
+std::string describe_demand(const Scene& scene, const Demand& demand) {
     if (demand.object == none) return "light";
     const Object& object = scene.objects[demand.object];
-    std::string text(shape_names[object.shape.index()]);
-    if (object.name != none) text += fmt::format(" \"{}\"", scene.names[object.name]);
-    if (object.material < scene.material_names.size() &&
-        !scene.material_names[object.material].empty())
-        text += fmt::format(", material {}", scene.material_names[object.material]);
-    return text;
-}
-
-std::string describe_place(const SourceSpan& place, const SourceMap& sources) {
-    if (place.file == SourceSpan::nowhere) return "";
-    const auto [line, column] = sources.locate(place);
-    return fmt::format("{}:{}:{}", sources.name(place.file), line, column);
+    const std::string material = material_name(scene, object.material);
+    return describe(scene, object) + (material.empty() ? "" : ", material " + material);
 }
 
 }  // namespace
@@ -94,7 +78,7 @@ SceneSummary summarize(const Scene& scene, const SourceMap& sources) {
         const auto feature = static_cast<Feature>(i);
         if (const auto& demand = requirements.demand(feature)) {
             summary.requirements.push_back(
-                {feature, describe(scene, *demand), describe_place(demand->place, sources)});
+                {feature, describe_demand(scene, *demand), describe_place(demand->place, sources)});
         }
     }
     return summary;

@@ -4,7 +4,11 @@
 
 namespace lancer {
 
-std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings, Level level) {
+namespace {
+
+/// \param level  of double alone
+std::unique_ptr<RayTreeRenderer> compile_by_precision(const Scene& scene, const Settings& settings,
+                                                      Level level) {
     switch (settings.precision) {
         case Precision::single:
             return compile_single(scene, settings);
@@ -14,6 +18,17 @@ std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings, 
             break;
     }
     return compile_double(scene, settings, level);
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings, Level level) {
+    return compile_by_precision(scene, settings, level);
+}
+
+std::unique_ptr<RayTreeRenderer> compile_for_ray_trees(const Scene& scene,
+                                                       const Settings& settings) {
+    return compile_by_precision(scene, settings, Level::scalar);
 }
 
 }  // namespace lancer

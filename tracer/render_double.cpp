@@ -3,8 +3,8 @@
 
 namespace lancer {
 
-std::unique_ptr<Renderer> compile_double(const Scene& scene, const Settings& settings,
-                                         Level level) {
+std::unique_ptr<RayTreeRenderer> compile_double(const Scene& scene, const Settings& settings,
+                                                Level level) {
     return std::make_unique<RendererOf<double>>(scene, settings, level);
 }
 

@@ -3,7 +3,7 @@
 
 namespace lancer {
 
-std::unique_ptr<Renderer> compile_extended(const Scene& scene, const Settings& settings) {
+std::unique_ptr<RayTreeRenderer> compile_extended(const Scene& scene, const Settings& settings) {
     return std::make_unique<RendererOf<long double>>(scene, settings);
 }
 

@@ -3,7 +3,7 @@
 
 namespace lancer {
 
-std::unique_ptr<Renderer> compile_single(const Scene& scene, const Settings& settings) {
+std::unique_ptr<RayTreeRenderer> compile_single(const Scene& scene, const Settings& settings) {
     return std::make_unique<RendererOf<float>>(scene, settings);
 }
 

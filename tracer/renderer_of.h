@@ -10,16 +10,19 @@
 #include "model/diagnostic.h"
 #include "tracer/compile/compile.h"
 #include "tracer/povray/recursion.h"
+#include "tracer/ray_tree_renderer.h"
 #include "tracer/rays/camera.h"
+#include "tracer/recursion/recorded_tracer.h"
 #include "tracer/recursion/whitted.h"
 #include "tracer/samples.h"
 #include "tracer/scene/far_camera.h"
+#include "tracer/tile_order.h"
 #include "tracer/wide/wide_tracer.h"
 
 namespace lancer {
 
 template <class Real>
-class RendererOf final : public Renderer {
+class RendererOf final : public RayTreeRenderer {
   public:
     /// \param level  of rays side by side, where the world and the number type have them
     RendererOf(const Scene& scene, const Settings& settings, Level level = Level::scalar)
@@ -42,6 +45,7 @@ class RendererOf final : public Renderer {
                                  "normal.Y",  "normal.Z", "shadow.Y"};
         const int across = (crop.width + tile_size - 1) / tile_size;
         const int down = (crop.height + tile_size - 1) / tile_size;
+        const TileOrder order(across * down);
         const CameraFrame<Real> camera_frame = camera_frame_of(view);
         std::mutex merging;
         constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::max();
@@ -51,8 +55,8 @@ class RendererOf final : public Renderer {
             with_fastest_tracer(limits(), camera_frame, [&](auto& tracer) {
                 std::int64_t own_overflow = nowhere;
                 for (int index = 0; next_task(index);) {
-                    const int left = index % across * tile_size;
-                    const int top = index / across * tile_size;
+                    const int left = order[index] % across * tile_size;
+                    const int top = order[index] / across * tile_size;
                     const Crop tile{left, top, std::min(tile_size, crop.width - left),
                                     std::min(tile_size, crop.height - top)};
                     fill(image, tile, tracer, camera_frame, view, crop);
@@ -112,6 +116,27 @@ class RendererOf final : public Renderer {
         return probe;
     }
 
+    std::vector<PicturePoint> samples(int x, int y) const override {
+        std::vector<PicturePoint> points;
+        for_each_sample<Real>(world_->settings, x, y, [&](Real at_x, Real at_y) {
+            points.push_back({static_cast<double>(at_x), static_cast<double>(at_y)});
+        });
+        return points;
+    }
+
+    RayTree ray_tree(const View& view, const PicturePoint& at) const override {
+        RayTree tree;
+        const CameraFrame<Real> camera_frame = camera_frame_of(view);
+        for_each_task(1, 1, {}, [&](auto next_task) {  // for its deep stack
+            RecordedTracer<Real> tracer(*world_, limits(), tree);
+            for (int task = 0; next_task(task);)
+                tree.color =
+                    convert<double>(sample(tracer, camera_frame, view, static_cast<Real>(at.x),
+                                           static_cast<Real>(at.y), nullptr));
+        });
+        return tree;
+    }
+
     Level level() const override { return wide_ ? wide_->level() : Level::scalar; }
 
     WorldCounts counts() const override {
@@ -156,11 +181,11 @@ class RendererOf final : public Renderer {
                 return;
             }
         }
-        if (world_->has_media || world_->has_transmission) {
-            Whitted<Real> tracer(*world_, limits);
+        if (is_all_opaque(*world_)) {
+            OpaqueTracer<Real> tracer(*world_, limits);
             work(tracer);
         } else {
-            OpaqueTracer<Real> tracer(*world_, limits);
+            Whitted<Real> tracer(*world_, limits);
             work(tracer);
         }
     }

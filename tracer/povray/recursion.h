@@ -98,7 +98,8 @@ Vec3<Real> dimmed_inside(const World<Real>& world, const MediaList& inside, Real
 /// next to either end, and nothing dims the last interval.
 template <class Real>
 Vec3<Real> light_through(const World<Real>& world, Ray<Real> ray, Real distance,
-                         const Start<Real>& /*start*/, PovRayAround<Real> around) {
+                         const Start<Real>& /*start*/, PovRayAround<Real> around,
+                         const Unrecorded& = unrecorded) {
     const auto casts_none = [&](std::uint32_t body) {
         return !world.primitives[body].casts_shadow;
     };

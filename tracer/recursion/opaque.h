@@ -25,13 +25,21 @@ Real opaque_reflectance(const Surface<Real>& s, const Vec3<Real>& ray_dir, Real 
     return fresnel_reflectance(-dot(s.normal, ray_dir), out_of_body ? 1 / index : index);
 }
 
+/// Whether OpaqueTracer is enough for the world.
+template <class Real>
+bool is_all_opaque(const World<Real>& world) {
+    return !world.has_media && !world.has_transmission;
+}
+
 /// Traces rays through one world in which everything is opaque. One object per thread: it counts
 /// what it does.
-template <class Real>
+///
+/// \tparam Recorder  Unrecorded, or RayTreeRecorder
+template <class Real, class Recorder = Unrecorded>
 class OpaqueTracer {
   public:
-    OpaqueTracer(const World<Real>& world, const TraceLimits& limits)
-        : world_(world), limits_(limits), lighting_(world) {}
+    OpaqueTracer(const World<Real>& world, const TraceLimits& limits, const Recorder& recorder = {})
+        : world_(world), limits_(limits), lighting_(world, recorder) {}
 
     const RayCounts& counts() const { return lighting_.counts; }
 
@@ -42,16 +50,24 @@ class OpaqueTracer {
         ++lighting_.counts.primary;
         lighting_.record = record;
         const Real weight = 1;
-        return trace(ray, {at_camera}, weight, 0);
+        lighting_.recorder.begin_camera_ray();
+        const Vec3<Real> color = trace(ray, {at_camera}, weight, 0);
+        lighting_.recorder.end_call();
+        return color;
     }
 
     /// The colour that any ray brings.
     Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, Real weight, int level) {
-        if (!is_followed(limits_, weight, level)) return Vec3<Real>{};
         const NoMedia nowhere;
+        lighting_.recorder.start(ray, start.t, nowhere, weight, level);
+        if (!is_followed(limits_, weight, level)) {
+            lighting_.recorder.end_at_limit(weight, level);
+            return Vec3<Real>{};
+        }
         Contact<Real> contact = nearest_contact(world_, ray, start, nowhere);
         if (contact.empty()) {
             lighting_.note(none);
+            lighting_.recorder.end_in_background(Vec3<Real>(1));
             return world_.background;
         }
         return shade(ray, contact, weight, level);
@@ -62,6 +78,7 @@ class OpaqueTracer {
         const NoMedia nowhere;
         const Real t = contact.front().t;
         order_contact(world_, contact);
+        lighting_.recorder.meet(t, contact, nowhere, Vec3<Real>(1));
         SurfaceList touched;
         for (const Hit<Real>& hit : contact) touched.push_back(hit.surface);
         const Surface<Real> s = make_surface(world_, ray, declared_first(contact));
@@ -69,6 +86,8 @@ class OpaqueTracer {
         Crossed<Real, NoMedia> c{ray, touched, nowhere, nowhere};
         c.bent = ray.dir;
         lighting_.note(event_of(s));
+        lighting_.recorder.shade(s, Vec3<Real>(1), Vec3<Real>(1));
+        lighting_.recorder.end_opaque();
         Vec3<Real> result = lighting_.local_color(s, c);
         if (lighting_.record != nullptr) lighting_.record->settled = true;
 
@@ -76,11 +95,16 @@ class OpaqueTracer {
         const Real mirror_weight = max_component(mirror);
         if (mirror_weight > 0 && is_followed(limits_, weight * mirror_weight, level + 1)) {
             ++lighting_.counts.reflected;
+            lighting_.recorder.begin_mirrored(Vec3<Real>(1), Vec3<Real>(1), mirror,
+                                              weight * mirror_weight);
             const Ray<Real> reflected =
                 make_ray(s.position, s.position_lo, mirrored(ray.dir, s.normal), s.error);
             result +=
                 mirror * trace(reflected, {0, std::move(touched), left_for_good(s, reflected.dir)},
                                weight * mirror_weight, level + 1);
+            lighting_.recorder.end_call();
+        } else {
+            lighting_.recorder.skip_mirrored(mirror, weight * mirror_weight);
         }
         return result;
     }
@@ -104,7 +128,7 @@ class OpaqueTracer {
 
     const World<Real>& world_;
     const TraceLimits limits_;
-    Lighting<Real, NoMedia> lighting_;
+    Lighting<Real, NoMedia, Recorder> lighting_;
 };
 
 }  // namespace lancer

@@ -16,11 +16,13 @@ inline constexpr int max_straight_passes = 1000;
 
 /// Traces rays through one world of which some lets light through. One object per thread: it counts
 /// what it does.
-template <class Real>
+///
+/// \tparam Recorder  Unrecorded, or RayTreeRecorder
+template <class Real, class Recorder = Unrecorded>
 class Whitted {
   public:
-    Whitted(const World<Real>& world, const TraceLimits& limits)
-        : world_(world), limits_(limits), lighting_(world) {}
+    Whitted(const World<Real>& world, const TraceLimits& limits, const Recorder& recorder = {})
+        : world_(world), limits_(limits), lighting_(world, recorder) {}
 
     const RayCounts& counts() const { return lighting_.counts; }
 
@@ -31,7 +33,11 @@ class Whitted {
         ++lighting_.counts.primary;
         lighting_.record = record;
         const Real weight = 1;
-        return trace(ray, {at_camera}, origins_.around(world_, from_camera), weight, 0, {});
+        lighting_.recorder.begin_camera_ray();
+        const Vec3<Real> color =
+            trace(ray, {at_camera}, origins_.around(world_, from_camera), weight, 0, {});
+        lighting_.recorder.end_call();
+        return color;
     }
 
     /// The colour that a ray brings which is in no body.
@@ -52,6 +58,7 @@ class Whitted {
         Vec3<Real> result(0);
         Vec3<Real> through(1);  // what the surfaces and media on the way let pass
         int straight_passes{};
+        lighting_.recorder.start(ray, start.t, media, weight, level);
         while (is_followed(limits_, weight, level)) {
             Contact<Real> contact = adjacent_face_hit(world_, ray, turn, media.bodies);
             const bool at_once = !contact.empty();
@@ -60,7 +67,9 @@ class Whitted {
             if (contact.empty()) {
                 lighting_.note(none);
                 counts.media_lost += drop_bounded(world_, media.bodies);
-                return result + through * transmittance_to_infinity(media) * world_.background;
+                const Vec3<Real> arrives = through * transmittance_to_infinity(media);
+                lighting_.recorder.end_in_background(arrives);
+                return result + arrives * world_.background;
             }
             const Real t = contact.front().t;
             if (world_.has_media) {
@@ -74,25 +83,37 @@ class Whitted {
             const Media after = crossed(world_, media, contact);
             Step c{ray, touched, media, after};
             if (world_.has_media) c.ratio = index_of(world_, media) / index_of(world_, after);
+            lighting_.recorder.meet(t, contact, after, through);
             drop_coincident(world_, contact, c.ratio);
             const Surfaces<Real> surfaces = shown(world_, contact, ray);
             Share share;
             if (!surfaces.empty()) {
                 if (lighting_.record != nullptr) lighting_.record->remember(surfaces.front(), t);
                 bend(surfaces.front(), c);
+                lighting_.recorder.bend(c.ratio, c.total);
                 share = shade(surfaces, c, through, weight, level, result);
             }
-            if (share.ended) return result;
+            if (share.ended) {
+                lighting_.recorder.end_opaque();
+                return result;
+            }
             through = through * share.light;
             weight *= share.weight;
             if (c.ratio == 1) {
-                if (++straight_passes > max_straight_passes) return result;
+                if (++straight_passes > max_straight_passes) {
+                    lighting_.recorder.end_after_passes();
+                    return result;
+                }
                 media = after;
                 start = {t, std::move(touched), start.left, false};
                 continue;
             }
-            if (!is_followed(limits_, weight, level + 1)) return result;
+            if (!is_followed(limits_, weight, level + 1)) {
+                lighting_.recorder.end_at_limit(weight, level + 1);
+                return result;
+            }
             ++(c.total ? counts.reflected : counts.transmitted);
+            lighting_.recorder.begin_bent(c.total);
             const Surface<Real>& front = surfaces.front();
             Media next = leaving(front, c, c.bent, !c.total);
             ray = make_ray(front.position, front.position_lo, c.bent, front.error);
@@ -100,7 +121,9 @@ class Whitted {
             start = {0, std::move(touched), left_for_good(front, ray.dir)};
             turn = front.id;
             ++level;
+            lighting_.recorder.start(ray, start.t, media, weight, level);
         }
+        lighting_.recorder.end_at_limit(weight, level);
         return result;
     }
 
@@ -139,6 +162,7 @@ class Whitted {
                          [](const Surface<Real>& s) { return s.finish->fresnel; });
         for (const Surface<Real>& s : surfaces) {
             lighting_.note(event_of(s));
+            lighting_.recorder.shade(s, through, share.light);
             result += through * share.light * lighting_.local_color(s, c);
             if (lighting_.record != nullptr) lighting_.record->settled = true;
             const bool passes = max_component(s.transmittance) > 0;
@@ -153,11 +177,15 @@ class Whitted {
             const Real mirror_weight = weight * share.weight * max_component(mirror);
             if (max_component(mirror) > 0 && is_followed(limits_, mirror_weight, level + 1)) {
                 ++lighting_.counts.reflected;
+                lighting_.recorder.begin_mirrored(through, share.light, mirror, mirror_weight);
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
                 result += through * share.light * mirror *
                           trace(ray, {0, c.touched, left_for_good(s, direction)},
                                 leaving(s, c, direction, false), mirror_weight, level + 1, s.id);
+                lighting_.recorder.end_call();
+            } else {
+                lighting_.recorder.skip_mirrored(mirror, mirror_weight);
             }
             if (!passes) return {true, share.light, share.weight};
             Vec3<Real> factor = s.transmittance;
@@ -189,7 +217,7 @@ class Whitted {
     const World<Real>& world_;
     const TraceLimits limits_;
     CameraMedia<Real> origins_;
-    Lighting<Real, Media> lighting_;
+    Lighting<Real, Media, Recorder> lighting_;
 };
 
 }  // namespace lancer

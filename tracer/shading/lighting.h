@@ -61,27 +61,33 @@ Vec3<Real> highlight(const Surface<Real>& s, const Vec3<Real>& ray_dir, const Ve
 
 /// Lights surfaces of one world, and counts the shadow rays that this takes.
 ///
-/// \tparam Around  what is carried of the bodies around a ray: Media, or NoMedia
-template <class Real, class Around>
+/// \tparam Around    what is carried of the bodies around a ray: Media, or NoMedia
+/// \tparam Recorder  who is told what happens
+template <class Real, class Around, class Recorder = Unrecorded>
 class Lighting {
   public:
-    explicit Lighting(const World<Real>& world) : world_(world) {}
+    explicit Lighting(const World<Real>& world, const Recorder& tells = {})
+        : recorder(tells), world_(world) {}
 
     RayCounts counts;
     ProbeRecord<Real>* record = nullptr;  ///< may be null
+    [[no_unique_address]] Recorder recorder;
 
     Vec3<Real> local_color(const Surface<Real>& s, const Crossed<Real, Around>& c) {
         const Finish<Real>& f = *s.finish;
         Vec3<Real> sum = s.opacity * s.color * (f.ambient * world_.ambient + f.emission);
         const bool glossy = f.phong > 0 || f.blinn > 0;
         const bool matt_in_front = f.diffuse > 0 && s.opacity > 0;
+        recorder.glow(sum);
         const Vec3<Real> mirror = f.phong > 0 ? mirrored(c.ray.dir, s.normal) : Vec3<Real>{};
         for (std::size_t i = 0; i < world_.lights.size(); ++i) {
             const LightSource<Real>& light = world_.lights[i];
             const LightSample<Real> at = sample_light(light, s.position, s.position_lo);
             const Real cosine = dot(s.normal, at.direction);
             const bool front = cosine > 0;
-            if (front ? !(matt_in_front || glossy) : !f.lit_from_behind) continue;
+            const bool asked = front ? matt_in_front || glossy : f.lit_from_behind;
+            recorder.ask_light(i, at, cosine, asked);
+            if (!asked) continue;
             const Vec3<Real> color = at.color * reaching(i, light, s, c, at);
             if (!(max_component(absolute(color)) > 0)) continue;
             const Vec3<Real> matt = s.opacity * s.color * color;
@@ -96,6 +102,7 @@ class Lighting {
                     sum += tinted(s, cosine, color) *
                            (f.phong_transmission * elementary::pow(toward, f.shininess));
             }
+            recorder.end_light(sum);
         }
         return sum;
     }
@@ -113,8 +120,10 @@ class Lighting {
             ++counts.shadow;
             const Ray<Real> ray = make_ray(s.position, s.position_lo, at.direction, s.error);
             const Start<Real> start{0, c.touched, left_for_good(s, at.direction)};
-            share = light_through(world_, ray, at.distance, start, c.towards(s, at.direction));
+            share = light_through(world_, ray, at.distance, start, c.towards(s, at.direction),
+                                  recorder);
         }
+        recorder.arrive(share);
         const bool arrives = record != nullptr && max_component(share) > 0;
         note((std::uint64_t(i) << 1) + (arrives ? 1 : 0));
         if (arrives && !record->settled && i < 64) record->lit |= std::uint64_t(1) << i;

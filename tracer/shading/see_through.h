@@ -9,6 +9,7 @@
 #pragma once
 
 #include "tracer/intersect/media.h"
+#include "tracer/shading/unrecorded.h"
 
 namespace lancer {
 
@@ -62,7 +63,8 @@ class SeeThrough {
     }
 
     /// The product over all surfaces that are passed, in their order.
-    Vec3<Real> transmittance(MediaList bodies) const {
+    template <class Recorder = const Unrecorded>
+    Vec3<Real> transmittance(MediaList bodies, Recorder& recorder = unrecorded) const {
         Vec3<Real> light(1);
         for (const Pass& pass : passes_) {
             const Primitive<Real>& p = world_.primitives[pass.primitive];
@@ -71,7 +73,10 @@ class SeeThrough {
                 toggle(bodies, pass.primitive);
             }
             const Finish<Real>& finish = world_.finishes[p.material];
-            light = light * (finish.filter * finish.color + Vec3<Real>(finish.transmission));
+            const Vec3<Real> passes =
+                finish.filter * finish.color + Vec3<Real>(finish.transmission);
+            recorder.filter(SurfaceId{pass.primitive, 0, pass.entering}, pass.t, passes);
+            light = light * passes;
             if (!(max_component(light) > 0)) return Vec3<Real>(0);
         }
         return light;

@@ -7,6 +7,7 @@
 #include "tracer/shading/optics.h"
 #include "tracer/shading/see_through.h"
 #include "tracer/shading/surface.h"
+#include "tracer/shading/unrecorded.h"
 
 namespace lancer {
 
@@ -78,10 +79,11 @@ template <class Real, class Bodies, class Last, class Sees, class Report>
 
 /// Looks once along the way to the light: an opaque surface ends it; that something transmissive
 /// lies there is noted, and its crossings are collected where somebody wants them.
-template <class Real, class Bodies>
+template <class Real, class Bodies, class Recorder = const Unrecorded>
 Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real distance,
                           const Start<Real>& start, const Bodies& bodies,
-                          SeeThrough<Real>* see_through = nullptr) {
+                          SeeThrough<Real>* see_through = nullptr,
+                          Recorder& recorder = unrecorded) {
     const IntersectionFilter<Real, Bodies> accept(world, start, bodies);
     OcclusionQuery<Real, Bodies> query{world, accept, start, distance, see_through};
     const LightInterval<Real, Bodies> limit{query};
@@ -100,21 +102,26 @@ Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real d
         return world.primitives[index].casts_shadow && index != start.left;
     };
     planes_on_the_way(world, ray, accept, interval, is_seen, report);
-    if (query.occlusion == Occlusion::blocked) return Occlusion::blocked;
+    if (query.occlusion == Occlusion::blocked) {
+        recorder.block(query.at);
+        return Occlusion::blocked;
+    }
     candidates(world, ray, interval, [&](std::uint32_t index) {
         if (!is_seen(index)) return false;
         crossings_from(world, index, ray, accept, query.hints(), interval,
                        [&](const Crossing<Real>& c, Real, Real) { return report(c); });
         return query.occlusion == Occlusion::blocked;
     });
+    if (query.occlusion == Occlusion::blocked) recorder.block(query.at);
     return query.occlusion;
 }
 
 /// The share of light that is left on a way on which only filters lie, from contact to contact: the
 /// product of T over every surface crossed and of the absorption in between.
-template <class Real>
+template <class Real, class Recorder = const Unrecorded>
 Vec3<Real> light_by_contacts(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                             Start<Real> start, Media media, bool filtered) {
+                             Start<Real> start, Media media, bool filtered,
+                             Recorder& recorder = unrecorded) {
     MediaList& bodies = media.bodies;
     // What casts no shadow does not weaken light inside it either.
     const auto casts_none = [&](std::uint32_t body) {
@@ -122,13 +129,19 @@ Vec3<Real> light_by_contacts(const World<Real>& world, const Ray<Real>& ray, Rea
     };
     bodies.erase(std::remove_if(bodies.begin(), bodies.end(), casts_none), bodies.end());
     Vec3<Real> light(1);
+    const auto absorb_until = [&](Real t) {
+        const Finish<Real>* medium = medium_of(world, bodies);
+        if (medium == nullptr || !medium->absorbs) return;
+        const Vec3<Real> left = beer_lambert_transmittance(medium->absorption, t - start.t);
+        recorder.absorb(bodies, t, left);
+        light = light * left;
+    };
     while (filtered) {
         Contact<Real> contact = nearest_contact(world, ray, start, bodies, Shadows::cast);
         if (contact.empty()) break;
         const Hit<Real> nearest = contact.front();
         if (!(nearest.t < distance - nearest.error)) break;
-        if (const Finish<Real>* medium = medium_of(world, bodies); medium && medium->absorbs)
-            light = light * beer_lambert_transmittance(medium->absorption, nearest.t - start.t);
+        absorb_until(nearest.t);
         order_contact(world, contact);
         start.surfaces.clear();
         for (const Hit<Real>& hit : contact) start.surfaces.push_back(hit.surface);
@@ -136,12 +149,14 @@ Vec3<Real> light_by_contacts(const World<Real>& world, const Ray<Real>& ray, Rea
         start.fresh = false;
         media = crossed(world, media, contact);
         drop_coincident(world, contact);
-        for (const Hit<Real>& hit : contact)
-            light = light * make_surface(world, ray, hit).transmittance;
+        for (const Hit<Real>& hit : contact) {
+            const Vec3<Real> passes = make_surface(world, ray, hit).transmittance;
+            recorder.filter(hit.surface, hit.t, passes);
+            light = light * passes;
+        }
         if (!(max_component(light) > 0)) return Vec3<Real>(0);
     }
-    if (const Finish<Real>* medium = medium_of(world, bodies); medium && medium->absorbs)
-        light = light * beer_lambert_transmittance(medium->absorption, distance - start.t);
+    absorb_until(distance);
     return light;
 }
 
@@ -149,24 +164,26 @@ Vec3<Real> light_by_contacts(const World<Real>& world, const Ray<Real>& ray, Rea
 /// refraction, no limit on the number of surfaces.
 ///
 /// \param media  around the first part of the way
-template <class Real>
+template <class Real, class Recorder = const Unrecorded>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                         const Start<Real>& start, const Media& media) {
+                         const Start<Real>& start, const Media& media,
+                         Recorder& recorder = unrecorded) {
     SeeThrough<Real> see_through(world, distance);
     const Occlusion occlusion =
-        query_occlusion(world, ray, distance, start, media.bodies, &see_through);
+        query_occlusion(world, ray, distance, start, media.bodies, &see_through, recorder);
     if (occlusion == Occlusion::blocked) return Vec3<Real>(0);
     const bool filtered = occlusion == Occlusion::filtered;
     if (filtered && see_through.tells_all(start, media.bodies))
-        return see_through.transmittance(media.bodies);
-    return light_by_contacts(world, ray, distance, start, media, filtered);
+        return see_through.transmittance(media.bodies, recorder);
+    return light_by_contacts(world, ray, distance, start, media, filtered, recorder);
 }
 
 /// The same where no light passes through anything.
-template <class Real>
+template <class Real, class Recorder = const Unrecorded>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
-                         const Start<Real>& start, NoMedia media) {
-    const Occlusion occlusion = query_occlusion(world, ray, distance, start, media);
+                         const Start<Real>& start, NoMedia media, Recorder& recorder = unrecorded) {
+    const Occlusion occlusion =
+        query_occlusion<Real>(world, ray, distance, start, media, nullptr, recorder);
     return Vec3<Real>(occlusion == Occlusion::blocked ? Real(0) : Real(1));
 }
 

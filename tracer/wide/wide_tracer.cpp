@@ -142,7 +142,8 @@ class ScalarMethods final : public ExactMethods {
     void light_share(const LaneRay& ray, const LaneStart& start, double distance,
                      double* share) override {
         using Around = std::conditional_t<is_opaque<Tracer>, NoMedia, Media>;
-        put(light_through(world_, ray_of(ray), distance, start_of(start), Around{}), share);
+        Unrecorded nobody;
+        put(light_through(world_, ray_of(ray), distance, start_of(start), Around{}, nobody), share);
     }
 
   private:
@@ -228,7 +229,7 @@ std::unique_ptr<WideTracer> WideWorld::tracer(const TraceLimits& limits,
     if (camera.ahead != 0 || !is_followed(limits, 1.0, 0)) return nullptr;
     if (world_.planes != world_.bounded) return nullptr;  // something in no tree that is no plane
     const wide::Scene& scene = arrays_->flat.scene();
-    if (!world_.has_media && !world_.has_transmission)
+    if (is_all_opaque(world_))
         return std::make_unique<wide::LevelTracer<OpaqueTracer<double>>>(world_, scene, limits,
                                                                          level_);
     // Rays must begin outside of all bodies.

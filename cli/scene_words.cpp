@@ -1,0 +1,23 @@
+#include "cli/scene_words.h"
+
+#include <fmt/format.h>
+
+namespace lancer::cli {
+
+std::string describe(const Scene& scene, const Object& object) {
+    std::string text(shape_names[object.shape.index()]);
+    if (object.name != none) text += fmt::format(" \"{}\"", scene.names[object.name]);
+    return text;
+}
+
+std::string material_name(const Scene& scene, std::uint32_t material) {
+    return material < scene.material_names.size() ? scene.material_names[material] : "";
+}
+
+std::string describe_place(const SourceSpan& place, const SourceMap& sources) {
+    if (place.file == SourceSpan::nowhere) return "";
+    const auto [line, column] = sources.locate(place);
+    return fmt::format("{}:{}:{}", sources.name(place.file), line, column);
+}
+
+}  // namespace lancer::cli

@@ -1,0 +1,27 @@
+// A renderer that also tells what one ray does: for people who ask why a pixel has its colour.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/rays/ray_tree.h"
+#include "tracer/render.h"
+
+namespace lancer {
+
+class RayTreeRenderer : public Renderer {
+  public:
+    /// The points of the pixel at column x, row y of the whole picture that render() sends rays
+    /// through, in the order in which their light is summed.
+    virtual std::vector<PicturePoint> samples(int x, int y) const = 0;
+
+    /// All that the ray through the point does, written down by the recursion that makes the
+    /// picture: its color has the bits that trace() gives.
+    virtual RayTree ray_tree(const View& view, const PicturePoint& at) const = 0;
+};
+
+/// compile() with one ray at a time. Throws SceneError as it does.
+std::unique_ptr<RayTreeRenderer> compile_for_ray_trees(const Scene& scene,
+                                                       const Settings& settings);
+
+}  // namespace lancer

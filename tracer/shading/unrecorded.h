@@ -1,0 +1,33 @@
+// Nobody listens: what a ray does is not recorded.
+#pragma once
+
+namespace lancer {
+
+/// Stands where RayTreeRecorder may stand (tracer/recursion/ray_tree_recorder.h), which says what
+/// these functions are told. They are empty, so ordinary rendering pays nothing for them.
+struct Unrecorded {
+    void begin_camera_ray() const {}
+    void begin_mirrored(const auto&...) const {}
+    void skip_mirrored(const auto&...) const {}
+    void end_call() const {}
+    void begin_bent(bool) const {}
+    void start(const auto&...) const {}
+    void end_at_limit(const auto&...) const {}
+    void end_in_background(const auto&...) const {}
+    void end_opaque() const {}
+    void end_after_passes() const {}
+    void meet(const auto&...) const {}
+    void bend(const auto&...) const {}
+    void shade(const auto&...) const {}
+    void glow(const auto&...) const {}
+    void ask_light(const auto&...) const {}
+    void arrive(const auto&...) const {}
+    void end_light(const auto&...) const {}
+    void block(const auto&...) const {}
+    void filter(const auto&...) const {}
+    void absorb(const auto&...) const {}
+};
+
+inline constexpr Unrecorded unrecorded;
+
+}  // namespace lancer
