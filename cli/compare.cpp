@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
@@ -32,11 +33,17 @@ struct CompareJob {
     std::optional<double> exposure;
     std::optional<double> fail;
     std::optional<double> fail_percent;
+    std::string mask;
+    std::optional<std::int64_t> window;
+    std::optional<double> fail_window;
+    bool edges = false;
     bool quiet = false;
 };
 
-void write_heat_map(const CompareJob& job, const Image& a, const Image& b) {
-    io::write_image(job.heat_map, reference::heat_map(reference::pixel_differences(a, b), a.width),
+void write_heat_map(const CompareJob& job, const Image& a, const Image& b,
+                    const reference::PixelMask& counted) {
+    io::write_image(job.heat_map,
+                    reference::heat_map(reference::counted_differences(a, b, counted), a.width),
                     {});
 }
 
@@ -44,7 +51,39 @@ reference::CompareOptions options_of(const CompareJob& job) {
     reference::CompareOptions options;
     options.fail = job.fail.value_or(options.fail);
     options.fail_percent = job.fail_percent.value_or(options.fail_percent);
+    options.window = static_cast<int>(job.window.value_or(options.window));
+    options.fail_window = job.fail_window.value_or(options.fail_window);
+    options.edges_may_move = job.edges;
     return options;
+}
+
+/// The mask for a pair of this name: its own, by the same name or as a PNG, where --mask is a
+/// folder; empty where it is in none.
+std::string mask_file(const std::string& folder, const std::string& name) {
+    std::error_code ignored;
+    const std::filesystem::path own = std::filesystem::path(folder) / name;
+    if (std::filesystem::exists(own, ignored)) return own.string();
+    const std::filesystem::path png = std::filesystem::path(own).replace_extension(".png");
+    return std::filesystem::exists(png, ignored) ? png.string() : std::string();
+}
+
+/// What --mask says of each pair of two folders.
+judge::MaskOf masks_of(const CompareJob& job, Session& session) {
+    if (job.mask.empty()) return {};
+    std::error_code ignored;
+    if (std::filesystem::is_directory(job.mask, ignored)) {
+        for (const std::string& name : judge::pictures_in(job.mask))
+            session.files.add_input(job.mask + "/" + name);
+        return [folder = job.mask](const std::string& name) {
+            const std::string file = mask_file(folder, name);
+            return file.empty() ? reference::PixelMask{}
+                                : reference::mask_from(io::read_image(file));
+        };
+    }
+    session.files.add_input(job.mask);
+    return [mask = reference::mask_from(io::read_image(job.mask))](const std::string&) {
+        return mask;
+    };
 }
 
 ExitCode compare_folders(const CompareJob& job, Session& session) {
@@ -57,6 +96,7 @@ ExitCode compare_folders(const CompareJob& job, Session& session) {
     for (const std::string& folder : {job.a, job.b})
         for (const std::string& name : judge::pictures_in(folder))
             session.files.add_input(folder + "/" + name);
+    const judge::MaskOf masks = masks_of(job, session);
     const auto show = [&](const judge::ReportEntry& entry) {
         if (job.quiet) return;
         session.output.say(fmt::format(
@@ -64,7 +104,7 @@ ExitCode compare_folders(const CompareJob& job, Session& session) {
             entry.reasons.empty() ? "" : ": ", entry.reasons.empty() ? "" : entry.reasons.front()));
     };
     const judge::FolderComparison result =
-        judge::compare_folders(job.a, job.b, options_of(job), show);
+        judge::compare_folders(job.a, job.b, options_of(job), show, masks);
     session.write(job.json, judge::to_json(result, options_of(job)));
     session.write(job.junit, judge::junit_xml("lancer compare", judge::junit_cases(result)));
     if (!job.report.empty()) {
@@ -90,16 +130,18 @@ ExitCode compare(const CompareJob& job, Session& session) {
     session.will_write(job.json, "--json");
     session.files.add_input(job.a);
     session.files.add_input(job.b);
+    if (!job.mask.empty()) session.files.add_input(job.mask);
     Image a = io::read_image(job.a);
     if (job.exposure)
         for (double& value : a.data) value = judge::exposed(value, *job.exposure);
     const Image b = io::read_image(job.b);
-    const reference::CompareOptions options = options_of(job);
+    reference::CompareOptions options = options_of(job);
+    if (!job.mask.empty()) options.counted = reference::mask_from(io::read_image(job.mask));
     reference::Comparison comparison = reference::compare_images(a, b, options);
     comparison.curve_a = io::curve_of(job.a);
     comparison.curve_b = io::curve_of(job.b);
     session.write(job.json, reference::to_json(comparison, options));
-    if (!job.heat_map.empty() && comparison.comparable) write_heat_map(job, a, b);
+    if (!job.heat_map.empty() && comparison.comparable) write_heat_map(job, a, b, options.counted);
     if (!job.quiet) session.output.say(reference::to_text(comparison, options));
     return comparison.pass ? ExitCode::done : ExitCode::differs;
 }
@@ -121,6 +163,19 @@ void add_compare(CLI::App& app, Action& action) {
         ->type_name("X");
     add_number(command, "--fail-percent", job->fail_percent, 0, 100,
                "More than P percent of the pixels over: the pictures differ (default 0)")
+        ->type_name("P");
+    command
+        .add_option("--mask", job->mask,
+                    "Compare only where this picture is not black; of folders also a folder of "
+                    "masks, by name")
+        ->type_name("MASK.png");
+    command.add_flag("--edges", job->edges,
+                     "Edges may lie a pixel's width elsewhere: such pixels do not count as over");
+    add_whole_number(command, "--window", job->window, 1, 65535,
+                     "Side of the window in which differences crowd most (default 16)")
+        ->type_name("N");
+    add_number(command, "--fail-window", job->fail_window, 0, 100,
+               "More than P percent of any window over: the pictures differ (default 100)")
         ->type_name("P");
     command.add_option("--json", job->json, "Write the measures as JSON; - to standard output")
         ->type_name("FILE");

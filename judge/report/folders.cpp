@@ -36,6 +36,18 @@ void add_measures(ReportEntry& entry, const reference::Comparison& c,
     entry.measures.push_back({fmt::format("Pixels over {:g}", options.fail),
                               fmt::format("{:.4g} %", c.over * 100),
                               fmt::format("≤ {:g} %", options.fail_percent), c.pass});
+    if (c.over_at_edges > 0) {
+        entry.measures.push_back(
+            {options.edges_may_move ? "… where an edge lies, which may be" : "… where an edge lies",
+             std::to_string(c.over_at_edges), "", true});
+    }
+    if (const reference::Window& w = c.densest; w.flagged > 0) {
+        entry.measures.push_back(
+            {fmt::format("… in the {} x {} pixels from ({}, {}) on", w.width, w.height, w.x, w.y),
+             fmt::format("{:.4g} %", w.share() * 100),
+             options.fail_window < 100 ? fmt::format("≤ {:g} %", options.fail_window) : "",
+             w.share() * 100 <= options.fail_window});
+    }
     plain("Largest difference", c.max);
     plain("99.9 % of the pixels", c.p999);
     plain("99 % of the pixels", c.p99);
@@ -110,7 +122,7 @@ ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
     entry.left = preview_of(a);
     entry.right = preview_of(b);
     if (comparison.comparable) {
-        entry.differences = reference::pixel_differences(a, b);
+        entry.differences = reference::counted_differences(a, b, options.counted);
         entry.heat = preview_of(reference::heat_map(entry.differences, a.width, false));
         entry.urgency = comparison.over * 1e3 + comparison.max;
         entry.left_values = exact_values(a);
@@ -126,7 +138,8 @@ ReportEntry pair_entry(const std::string& name, const Image& a, const Image& b,
 
 FolderComparison compare_folders(const std::string& a, const std::string& b,
                                  const reference::CompareOptions& options,
-                                 const std::function<void(const ReportEntry&)>& on_pair) {
+                                 const std::function<void(const ReportEntry&)>& on_pair,
+                                 const MaskOf& mask_of) {
     const std::set<std::string> names_a = pictures_in(a);
     const std::set<std::string> names_b = pictures_in(b);
     std::set<std::string> names = names_a;
@@ -146,8 +159,12 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
              "curve, 16-bit PNG as it says itself, EXR and HDR are linear. A pixel is over when "
              "its "
              "largest channel differs by more than {:g}; a pair differs when more than {:g} % of "
-             "its pixels are.",
-             options.fail, options.fail_percent)}};
+             "its pixels are.{}",
+             options.fail, options.fail_percent,
+             options.edges_may_move
+                 ? " Not counted are pixels at which one of the pictures has an edge and each has "
+                   "a value that the other has within a pixel."
+                 : "")}};
     if (options.fail > 0) result.report.histogram_marks = {options.fail};
     for (const std::string& name : names) {
         ReportEntry entry;
@@ -160,8 +177,10 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
             try {
                 const Image left = io::read_image((fs::path(a) / name).string());
                 const Image right = io::read_image((fs::path(b) / name).string());
-                measures = reference::compare_images(left, right, options);
-                entry = pair_entry(name, left, right, *measures, options);
+                reference::CompareOptions chosen = options;
+                if (mask_of) chosen.counted = mask_of(name);
+                measures = reference::compare_images(left, right, chosen);
+                entry = pair_entry(name, left, right, *measures, chosen);
             } catch (const FileError& error) {
                 entry = failed_entry(name, error.what());
                 ++result.unreadable;

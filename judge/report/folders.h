@@ -32,13 +32,17 @@ struct FolderComparison {
 /// Throws FileError when the folder cannot be listed.
 std::set<std::string> pictures_in(const std::string& folder);
 
+/// The mask of a pair of pictures, by its name; may be empty. It may throw FileError.
+using MaskOf = std::function<reference::PixelMask(const std::string& name)>;
+
 /// Compares each file of `a` that is named like a picture (png, exr, hdr, tif, tiff, jpg, jpeg,
 /// ppm) with the file of the same name in `b`, sub-folders included. A picture that only one folder
 /// has fails, and so does one that cannot be read. `on_pair`, if any, is told each name and its
 /// verdict. Throws FileError when a folder cannot be listed or holds no picture at all.
 FolderComparison compare_folders(const std::string& a, const std::string& b,
                                  const reference::CompareOptions& options,
-                                 const std::function<void(const ReportEntry&)>& on_pair = {});
+                                 const std::function<void(const ReportEntry&)>& on_pair = {},
+                                 const MaskOf& mask_of = {});
 
 /// {"verdict", "pairs": [{"name", "verdict", "reason", then the measures as `compare` gives
 /// them}]}. Ends with a line feed.

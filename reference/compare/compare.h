@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "model/image.h"
+#include "reference/compare/densest_window.h"
+#include "reference/compare/mask.h"
 
 namespace lancer::reference {
 
@@ -17,6 +19,14 @@ struct CompareOptions {
     /// The comparison fails when more than this percentage of the pixels is over.
     double fail_percent = 0;
     bool flip = true;  ///< also the FLIP metric, by far the slowest
+    /// Only these pixels are looked at: all measures are of them alone.
+    PixelMask counted{};
+    /// Pixels that are over by an edge which lies a pixel's width elsewhere (find_moved_edges)
+    /// do not make the comparison fail.
+    bool edges_may_move = false;
+    int window = 16;  ///< side of the window that is searched for, pixels, at least 1
+    /// The comparison fails when in some window more than this percentage of the pixels is over.
+    double fail_window = 100;
 };
 
 /// What compare_images found. All differences are in linear light, not relative to anything.
@@ -38,13 +48,14 @@ struct Comparison {
     // ----
     int width = 0;
     int height = 0;
-    int channels = 0;  ///< compared ones: colour and alpha, not the extra channels of an EXR
-    std::size_t pixels = 0;
-    double mean = 0;  ///< of |a - b| over all values of all channels
-    double rmse = 0;  ///< over all values of all channels
-    double psnr = 0;  ///< 20 log10(1 / rmse), decibels; infinite for equal pictures
-    double max = 0;   ///< of |a - b| over all values
-    int max_x = 0;    ///< its pixel, from the top left corner
+    int channels = 0;        ///< compared ones: colour and alpha, not the extra channels of an EXR
+    std::size_t pixels = 0;  ///< compared ones
+    std::size_t left_out = 0;  ///< by the mask
+    double mean = 0;           ///< of |a - b| over all values of all channels
+    double rmse = 0;           ///< over all values of all channels
+    double psnr = 0;           ///< 20 log10(1 / rmse), decibels; infinite for equal pictures
+    double max = 0;            ///< of |a - b| over all values
+    int max_x = 0;             ///< its pixel, from the top left corner
     int max_y = 0;
     int max_channel = 0;
     double max_a = 0;  ///< the two values there
@@ -53,6 +64,10 @@ struct Comparison {
     double p999 = 0;  ///< 99.9 % of the pixels
     std::size_t pixels_over = 0;
     double over = 0;  ///< share of the pixels over CompareOptions::fail, 0..1
+    /// Of pixels_over: those that an edge explains, see picture_edges.h. The verdict counts them
+    /// unless CompareOptions::edges_may_move.
+    std::size_t over_at_edges = 0;
+    Window densest;   ///< with most of the pixels that count against the verdict
     double flip = 0;  ///< mean FLIP error, 0..1, see flip.h; 0 when not asked for
 };
 
@@ -63,6 +78,9 @@ int compared_channels(const Image& a, const Image& b);
 /// Per pixel, rows from the top: the largest of the absolute differences of its channels. Both
 /// pictures must have the same size and compared_channels().
 std::vector<double> pixel_differences(const Image& a, const Image& b);
+
+/// The same, with 0 where a pixel is not `counted`.
+std::vector<double> counted_differences(const Image& a, const Image& b, const PixelMask& counted);
 
 /// The smallest value with at least `share` (0..1] of the values at or below it. Reorders `values`,
 /// which must not be empty.

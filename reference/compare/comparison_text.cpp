@@ -28,6 +28,8 @@ std::string to_text(const Comparison& c, const CompareOptions& options) {
     if (!c.comparable) return fmt::format("FAIL: {}\n", c.reason);
     std::string text = fmt::format("{} x {} pixels, {} channels, differences in linear light\n",
                                    c.width, c.height, c.channels);
+    if (c.left_out > 0)
+        text += fmt::format("  mask    {} pixels compared, {} left out\n", c.pixels, c.left_out);
     if (const std::string note = curves_note(c); !note.empty())
         text += fmt::format("  curves  {}\n", note);
     text += fmt::format("  mean    {:.4g}\n", c.mean);
@@ -45,6 +47,17 @@ std::string to_text(const Comparison& c, const CompareOptions& options) {
     if (options.flip) text += fmt::format("  flip    {:.4g}\n", c.flip);
     text += fmt::format("  over    {:.4g} % of the pixels over {:g}, allowed {:g} %\n",
                         c.over * 100, options.fail, options.fail_percent);
+    if (c.over_at_edges > 0) {
+        text += fmt::format(
+            "  edges   {} of these {} pixels: an edge lies up to a pixel elsewhere{}\n",
+            c.over_at_edges, c.pixels_over, options.edges_may_move ? ", which may be" : "");
+    }
+    if (const Window& w = c.densest; w.flagged > 0) {
+        text += fmt::format("  densest {} of {} x {} pixels from ({}, {}) on are over, {:.4g} %",
+                            w.flagged, w.width, w.height, w.x, w.y, w.share() * 100);
+        text += options.fail_window < 100 ? fmt::format(", allowed {:g} %\n", options.fail_window)
+                                          : std::string("\n");
+    }
     text += c.pass ? std::string("PASS\n") : fmt::format("FAIL: {}\n", c.reason);
     return text;
 }
@@ -61,6 +74,7 @@ std::string to_json(const Comparison& c, const CompareOptions& options) {
     json["height"] = c.height;
     json["channels"] = c.channels;
     json["pixels"] = c.pixels;
+    json["left_out"] = c.left_out;
     json["curves"] = {c.curve_a, c.curve_b};
     json["mean"] = number(c.mean);
     json["rmse"] = number(c.rmse);
@@ -75,9 +89,19 @@ std::string to_json(const Comparison& c, const CompareOptions& options) {
     json["p999"] = number(c.p999);
     json["over"] = number(c.over);
     json["pixels_over"] = c.pixels_over;
+    json["over_at_edges"] = c.over_at_edges;
+    const Window& w = c.densest;
+    json["densest"] = w.flagged > 0 ? nlohmann::ordered_json{{"x", w.x},
+                                                             {"y", w.y},
+                                                             {"width", w.width},
+                                                             {"height", w.height},
+                                                             {"over", w.flagged}}
+                                    : nlohmann::ordered_json(nullptr);
     json["flip"] = options.flip ? number(c.flip) : nlohmann::ordered_json(nullptr);
     json["fail"] = options.fail;
     json["fail_percent"] = options.fail_percent;
+    json["fail_window"] = options.fail_window;
+    json["edges_may_move"] = options.edges_may_move;
     json["non_finite"] = {c.non_finite_a, c.non_finite_b};
     return json.dump(2) + "\n";
 }

@@ -191,6 +191,40 @@ TEST(Commands, CompareTellsEqualFromDifferent) {
     EXPECT_EQ(nlohmann::json::parse(json.out).at("verdict"), "fail");
 }
 
+TEST(Commands, CompareTakesMasksOfPicturesAndOfFolders) {
+    const Workplace place;
+    place.write("a.lancer", small_scene());
+    for (const char* folder : {"one", "two", "masks"}) fs::create_directory(place.path(folder));
+    ASSERT_EQ(place.run({"render", "a.lancer", "-o", "one/a.png"}).code, 0);
+    ASSERT_EQ(place.run({"render", "a.lancer", "-o", "two/a.png", "-D", "size=0.805"}).code, 0);
+    // Black but for the upper left corner, where there is only background; a PPM has no curve.
+    std::string mask = "P2 64 48 1";
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) mask += x < 4 && y < 4 ? " 1" : " 0";
+    place.write("corner.ppm", mask);
+    EXPECT_EQ(place.run({"compare", "one/a.png", "two/a.png"}).code, 1);
+    const Finished masked =
+        place.run({"compare", "one/a.png", "two/a.png", "--mask", "corner.ppm"});
+    EXPECT_EQ(masked.code, 0) << masked.out << masked.err;
+    EXPECT_THAT(masked.out, HasSubstr("16 pixels compared, 3056 left out"));
+    EXPECT_EQ(place.run({"compare", "one", "two", "--mask", "corner.ppm", "-q"}).code, 0);
+    EXPECT_EQ(place.run({"compare", "one", "two", "--mask", "masks", "-q"}).code, 1)
+        << "a picture without a mask is compared whole";
+    fs::copy_file(place.path("corner.ppm"), place.path("masks/a.png"));
+    EXPECT_EQ(place.run({"compare", "one", "two", "--mask", "masks", "-q"}).code, 0);
+    EXPECT_EQ(place.run({"compare", "one/a.png", "two/a.png", "--mask", "nowhere.png"}).code, 4);
+    const std::string before = place.read("corner.ppm");
+    EXPECT_EQ(
+        place.run({"compare", "one/a.png", "two/a.png", "--mask", "corner.ppm", "-o", "corner.ppm"})
+            .code,
+        2);
+    EXPECT_EQ(place.read("corner.ppm"), before);
+    const Finished edges = place.run({"compare", "one/a.png", "two/a.png", "--fail", "0.05",
+                                      "--edges", "--window", "8", "--fail-window", "50"});
+    EXPECT_EQ(edges.code, 0) << edges.out;
+    EXPECT_THAT(edges.out, HasSubstr("an edge lies up to a pixel elsewhere, which may be"));
+}
+
 TEST(Commands, CompareNamesTwoEncodings) {
     const Workplace place;
     place.write("a.lancer", small_scene());
