@@ -57,6 +57,19 @@ PictureSize parse_size(const std::string& text) {
     return {(*sides)[0], (*sides)[1]};
 }
 
+PartOf parse_part(const std::string& text) {
+    constexpr int most = 65535;
+    const auto part = read_list<2>(text, '/');
+    if (!part || (*part)[1] < 1 || (*part)[1] > most)
+        throw UsageError(fmt::format("'{}' is no part: expected K/N, as in 3/12", text));
+    const auto [number, count] = *part;
+    if (number < 1 || number > count) {
+        throw UsageError(fmt::format("there is no part {} of {}: the first is 1, the last {}",
+                                     number, count, count));
+    }
+    return {number, count};
+}
+
 Crop parse_crop(const std::string& text) {
     const auto v = read_list<4>(text, ',');
     if (!v || (*v)[0] < 0 || (*v)[1] < 0 || (*v)[2] < 1 || (*v)[3] < 1) {

@@ -39,8 +39,18 @@ struct OffTarget {
     double steps = 0;  ///< 0.1 to 254
 };
 
+/// `3/12`: the third of twelve; number and count lie between 1 and 65535, the most rows there are.
+struct PartOf {
+    int number = 1;
+    int count = 1;
+
+    /// Whether something with this index is dealt to the part, one to each in turn.
+    bool has(std::int64_t index) const { return index % count == number - 1; }
+};
+
 /// Each throws UsageError that says what is expected.
 PictureSize parse_size(const std::string& text);
+PartOf parse_part(const std::string& text);
 Crop parse_crop(const std::string& text);
 FrameRange parse_frames(const std::string& text);
 OffTarget parse_off_target(const std::string& text);

@@ -11,6 +11,7 @@ class App;
 namespace lancer::cli {
 
 void add_render(CLI::App& app, Action& action);
+void add_join(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);

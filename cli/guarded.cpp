@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "model/diagnostic.h"
+#include "model/io/system_error.h"
 
 namespace lancer::cli {
 namespace {
@@ -32,6 +33,8 @@ ExitCode caught(Session& session, const std::function<ExitCode()>& run) {
         session.terminal.show({{Severity::error, error.where, error.what(), "", {}}},
                               session.sources);
         return ExitCode::scene;
+    } catch (const io::SystemError& error) {
+        return failed(error.may_pass() ? ExitCode::try_again : ExitCode::files, error.what());
     } catch (const FileError& error) {
         return failed(ExitCode::files, error.what());
     } catch (const std::bad_alloc&) {

@@ -87,6 +87,7 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
 
     Action action;
     add_render(app, action);
+    add_join(app, action);
     add_check(app, action);
     add_info(app, action);
     add_export(app, action);

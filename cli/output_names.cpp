@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "cli/session.h"
+#include "model/diagnostic.h"
+#include "model/io/file.h"
 
 namespace lancer::cli {
 
@@ -16,11 +18,33 @@ std::string default_output(const std::string& scene, bool is_preview) {
     return name.string() + (is_preview ? "-preview.png" : ".png");
 }
 
+std::string default_part(const std::string& scene, int number, int count) {
+    const std::string whole = default_output(scene);
+    return fmt::format("{}-part-{}-of-{}.exr", whole.substr(0, whole.size() - 4), number, count);
+}
+
 std::string ending_of(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending;
+}
+
+void check_picture_name(const std::string& output, const io::ImageWriteOptions& options, bool aov) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(output, ignored))
+        throw FileError(fmt::format("cannot write '{}': it is a folder", output));
+    if (!io::is_writable_image_name(output)) {
+        throw UsageError(fmt::format(
+            "'{}': the name of a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm",
+            output));
+    }
+    const std::string ending = ending_of(output);
+    if (aov && ending != ".exr") throw UsageError("--aov needs an .exr file: -o OUT.exr");
+    const bool is_deep =
+        ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".ppm";
+    if (options.bits == 16 && !is_deep)
+        throw UsageError(fmt::format("--bits 16 is for .png, .tif and .ppm, not for '{}'", output));
 }
 
 FrameNames::FrameNames(const std::string& pattern) {

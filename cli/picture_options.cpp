@@ -35,4 +35,18 @@ void add_picture_options(CLI::App& app) {
         "Processor seconds for a picture file, besides one for each MiB");
 }
 
+void add_encoding_options(CLI::App& app, io::ImageWriteOptions& image) {
+    const char* group = "Output";
+    app.add_option_function<std::string>(
+           "--bits",
+           [&image](const std::string& text) {
+               if (text != "8" && text != "16") throw UsageError("--bits must be 8 or 16");
+               image.bits = text == "8" ? 8 : 16;
+           },
+           "Bits per channel of PNG, TIFF and PPM: 8 (default) or 16")
+        ->type_name("N")
+        ->group(group);
+    app.add_flag("--linear", image.linear, "Linear values instead of the sRGB curve")->group(group);
+}
+
 }  // namespace lancer::cli

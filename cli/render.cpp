@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/picture_options.h"
 #include "cli/render_job.h"
 
 namespace lancer::cli {
@@ -20,17 +21,7 @@ void add_output_options(CLI::App& app, RenderJob& job) {
            "the current folder by default")
         ->type_name("OUT")
         ->group(group);
-    app.add_option_function<std::string>(
-           "--bits",
-           [&job](const std::string& text) {
-               if (text != "8" && text != "16") throw UsageError("--bits must be 8 or 16");
-               job.image.bits = text == "8" ? 8 : 16;
-           },
-           "Bits per channel of PNG, TIFF and PPM: 8 (default) or 16")
-        ->type_name("N")
-        ->group(group);
-    app.add_flag("--linear", job.image.linear, "Linear values instead of the sRGB curve")
-        ->group(group);
+    add_encoding_options(app, job.image);
     app.add_flag("--aov", job.aov,
                  "Also object id, depth, normal and shadow, as channels of an EXR")
         ->group(group);
@@ -39,6 +30,18 @@ void add_output_options(CLI::App& app, RenderJob& job) {
         ->type_name("FILE")
         ->group(group);
     app.add_flag("-q,--quiet", job.quiet, "No progress bar and no closing line")->group(group);
+}
+
+void add_part_options(CLI::App& app, RenderJob& job) {
+    const char* group = "Many machines";
+    app.add_option_function<std::string>(
+           "--part", [&job](const std::string& text) { job.part = parse_part(text); },
+           "The K-th of N parts of the picture, for `join`; of an animation its share of frames")
+        ->type_name("K/N")
+        ->group(group);
+    app.add_flag("--resume", job.resume,
+                 "Take what is there when it is whole and the same run would draw it")
+        ->group(group);
 }
 
 void add_view_options(CLI::App& app, RenderJob& job) {
@@ -122,6 +125,7 @@ void add_render(CLI::App& app, Action& action) {
             "same")
         ->type_name("NAME");
     add_error_options(command, *job);
+    add_part_options(command, *job);
     add_scene_options(command, job->scene_options);
     command.callback(
         [&action, job] { action = [job](Session& session) { return run(*job, session); }; });

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
-#include "cli/memory_bound.h"
 #include "cli/output_names.h"
+#include "cli/part_job.h"
 #include "cli/progress.h"
+#include "cli/render_checks.h"
+#include "cli/render_view.h"
+#include "cli/resume.h"
+#include "cli/run_origin.h"
 #include "cli/statistics.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
@@ -19,93 +22,6 @@ namespace {
 /// Names of frames that are looked at before the work begins; those of an endless animation come
 /// one by one.
 constexpr std::uint64_t most_frames_known = 100'000;
-
-/// Options that contradict each other.
-void check_options(const RenderJob& job) {
-    if (job.loop && !job.frames) throw UsageError("--loop goes with --frames");
-    const ErrorOptions& error = job.error;
-    if (!error.any()) {
-        if (error.no_audit)
-            throw UsageError("--no-audit goes with --max-error, --max-off, --time or --passes");
-        return;
-    }
-    const std::string option = error.max_error ? "--max-error"
-                               : error.max_off ? "--max-off"
-                               : error.seconds ? "--time"
-                                               : "--passes";
-    if (int(error.max_error.has_value()) + int(error.max_off.has_value()) +
-            int(error.seconds.has_value()) + int(error.passes.has_value()) >
-        1)
-        throw UsageError("one of --max-error, --max-off, --time and --passes, not two");
-    if (job.settings.samples)
-        throw UsageError(option + " chooses the samples: leave --samples out");
-    if (job.settings.quality)
-        throw UsageError(option + " chooses samples and limits: leave --quality out");
-    if (job.settings.sampling == Sampling::grid)
-        throw UsageError(option + " samples at sobol points, not on a grid");
-}
-
-/// What can be said of the output's name before any work.
-void check_format(const RenderJob& job, const std::string& output) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(output, ignored))
-        throw FileError(fmt::format("cannot write '{}': it is a folder", output));
-    if (!io::is_writable_image_name(output)) {
-        throw UsageError(fmt::format(
-            "'{}': the name of a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm",
-            output));
-    }
-    const std::string ending = ending_of(output);
-    if (job.aov && ending != ".exr") throw UsageError("--aov needs an .exr file: -o OUT.exr");
-    const bool is_deep =
-        ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".ppm";
-    if (job.image.bits == 16 && !is_deep)
-        throw UsageError(fmt::format("--bits 16 is for .png, .tif and .ppm, not for '{}'", output));
-}
-
-constexpr int preview_step = 4;  // pixels of the picture for one of the preview, on each side
-
-int in_preview(int pixels) {
-    return (pixels + preview_step - 1) / preview_step;
-}
-
-/// A crop keeps the pixels of the smaller picture that show some of it.
-void make_coarser(View& view) {
-    view.width = in_preview(view.width);
-    view.height = in_preview(view.height);
-    if (!view.crop) return;
-    Crop& crop = *view.crop;
-    const int right = in_preview(crop.x + crop.width);
-    const int bottom = in_preview(crop.y + crop.height);
-    crop.x /= preview_step;
-    crop.y /= preview_step;
-    crop.width = right - crop.x;
-    crop.height = bottom - crop.y;
-}
-
-View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
-    View view;
-    view.camera = pick_camera(scene, job.camera, session);
-    view.width = job.size ? job.size->width : scene.width;
-    view.height = job.size ? job.size->height : scene.height;
-    view.crop = job.crop;
-    view.aov = job.aov;
-    if (job.crop) check_crop(*job.crop, view.width, view.height);
-    if (job.preview) make_coarser(view);
-    const int width = view.crop ? view.crop->width : view.width;
-    const int height = view.crop ? view.crop->height : view.height;
-    constexpr int sampled = 20;  // sums, scores and predictions, counted as channels
-    const int channels = (job.aov ? 9 : 3) + (job.error.any() ? sampled : 0);
-    const std::uint64_t needed = picture_bytes(width, height, channels);
-    if (needed > available_memory()) {
-        const std::string message =
-            fmt::format("a picture of {}x{} pixels needs {:.1f} GB of memory, which is not there",
-                        width, height, static_cast<double>(needed) / 1e9);
-        if (job.size || job.crop) throw UsageError(message);
-        throw SceneError({}, message);
-    }
-    return view;
-}
 
 class Rendering {
   public:
@@ -123,20 +39,42 @@ class Rendering {
         Scene scene = loader_.load(frame, time);
         if (job_.preview) scene.settings.samples = 1;
         const View view = view_of(job_, scene, session_);
-        if (statistics_.frames == 0) session_.terminal.show(missing_parts(scene), session_.sources);
+        if (pictures_ == 0) session_.terminal.show(missing_parts(scene), session_.sources);
 
-        progress_.begin_part(statistics_.frames);
-        io::ImageWriteOptions written = job_.image;
-        const Image image = job_.error.any() ? image_by_error(scene, view, output, begun, written)
-                                             : image_as_set(scene, view);
-        const Stopwatch watch;
-        io::write_image(output, image, written);
-        statistics_.write += watch.seconds();
+        progress_.begin_part(pictures_++);
+        const bool is_part = job_.part && !job_.frames;
+        std::optional<io::Origin> origin;
+        if (is_part || job_.resume) {
+            Settings settings = scene.settings;
+            job_.settings.apply_to(settings);
+            origin = origin_of(job_, loader_, settings, view, frame, time);
+        }
+        std::optional<io::PartHead> head;
+        if (is_part) head = head_of(*job_.part, view, *origin);
+        width_ = view.crop ? view.crop->width : view.width;
+        height_ = view.crop ? view.crop->height : view.height;
+        if (job_.resume && is_kept(output, *origin, head)) return;
+        if (head) {
+            part_as_set(scene, view, *head, output);
+        } else {
+            io::ImageWriteOptions written = job_.image;
+            const Image image = job_.error.any()
+                                    ? image_by_error(scene, view, output, begun, written)
+                                    : image_as_set(scene, view);
+            const Stopwatch watch;
+            if (origin) {
+                io::write_image(output, image, written, *origin);
+            } else {
+                io::write_image(output, image, written);
+            }
+            statistics_.write += watch.seconds();
+        }
         late_ = late_ || (job_.error.seconds && is_late(begun.seconds(), *job_.error.seconds));
         ++statistics_.frames;
-        width_ = image.width;
-        height_ = image.height;
     }
+
+    std::uint64_t drawn() const { return statistics_.frames; }
+    std::uint64_t kept() const { return pictures_ - statistics_.frames; }
 
     /// Statistics and the closing line.
     void finish(const std::string& what) {
@@ -167,21 +105,51 @@ class Rendering {
         return [this](double share) { progress_.update(share); };
     }
 
-    /// With the samples that the settings say.
-    Image image_as_set(Scene& scene, const View& view) {
+    /// Whether what is there already is what would be drawn. If not, says why.
+    bool is_kept(const std::string& output, const io::Origin& origin,
+                 const std::optional<io::PartHead>& head) {
+        const Found found = head ? found_part(output, *head) : found_picture(output, origin);
+        if (found.reason.empty()) return found.is_kept;
+        progress_.clear();
+        session_.terminal.line(fmt::format("{} is drawn again: {}", output, found.reason));
+        return false;
+    }
+
+    std::unique_ptr<Renderer> built(Scene& scene) {
         job_.settings.apply_to(scene.settings);
-        Stopwatch watch;
-        const std::unique_ptr<Renderer> renderer = compile(scene, scene.settings, job_.level);
+        const Stopwatch watch;
+        std::unique_ptr<Renderer> renderer = compile(scene, scene.settings, job_.level);
         statistics_.build += watch.seconds();
         statistics_.threads = scene.settings.threads;
         statistics_.level = name_of(renderer->level());
-        watch = {};
+        return renderer;
+    }
+
+    void count(const Scene& scene, const Renderer& renderer, double seconds,
+               const RayCounts& rays) {
+        statistics_.count(scene, renderer.counts());  // after: patches are cut when rays ask
+        statistics_.trace += seconds;
+        statistics_.add(rays);
+    }
+
+    /// With the samples that the settings say.
+    Image image_as_set(Scene& scene, const View& view) {
+        const std::unique_ptr<Renderer> renderer = built(scene);
+        const Stopwatch watch;
         RayCounts rays;
         Image image = renderer->render(view, shown(), rays);
-        statistics_.count(scene, renderer->counts());  // after: patches are cut when rays ask
-        statistics_.trace += watch.seconds();
-        statistics_.add(rays);
+        count(scene, *renderer, watch.seconds(), rays);
         return image;
+    }
+
+    /// The same for one part, which is written strip by strip.
+    void part_as_set(Scene& scene, const View& view, const io::PartHead& head,
+                     const std::string& output) {
+        const std::unique_ptr<Renderer> renderer = built(scene);
+        const Stopwatch watch;
+        RayCounts rays;
+        draw_part(*renderer, view, head, output, shown(), rays);
+        count(scene, *renderer, watch.seconds(), rays);
     }
 
     /// With the samples that an error asks for, or that there is time for.
@@ -236,6 +204,7 @@ class Rendering {
     SceneLoader loader_;
     ProgressBar progress_;
     Statistics statistics_;
+    std::uint64_t pictures_ = 0;  ///< drawn and kept
     int width_ = 0;
     int height_ = 0;
     bool late_ = false;
@@ -243,23 +212,28 @@ class Rendering {
 
 }  // namespace
 
-ExitCode run(const RenderJob& job, Session& session) {
-    const std::string output =
-        job.output.empty() ? default_output(job.scene, job.preview) : job.output;
-    check_options(job);
-    check_format(job, output);
-    if (!job.frames) {
-        session.will_write(output, "-o");
-        session.will_write(job.statistics, "--stats");
-        Rendering rendering(job, session);
-        rendering.render(0, 0, output);
-        rendering.finish("wrote " + output);
-        return rendering.code();
-    }
+namespace {
+
+std::string default_name(const RenderJob& job) {
+    if (job.part && !job.frames) return default_part(job.scene, job.part->number, job.part->count);
+    return default_output(job.scene, job.preview);
+}
+
+std::string closing_line(const Rendering& rendering, const FrameNames& names,
+                         const FrameRange& frames) {
+    const std::string kept = rendering.kept() > 0 ? fmt::format(", kept {}", rendering.kept()) : "";
+    return fmt::format("wrote {} pictures{}, {} to {}", rendering.drawn(), kept,
+                       names.name(frames.first), names.name(frames.last));
+}
+
+ExitCode run_animation(const RenderJob& job, const std::string& output, Session& session) {
     const FrameNames names(output);
     const FrameRange& frames = *job.frames;
+    const auto is_ours = [&](std::int64_t frame) {
+        return !job.part || job.part->has(frame - frames.first);
+    };
     const auto will_write = [&](std::int64_t frame) {
-        session.will_write(names.name(frame), fmt::format("frame {}", frame));
+        if (is_ours(frame)) session.will_write(names.name(frame), fmt::format("frame {}", frame));
     };
     const std::int64_t last_known =
         frames.first + static_cast<std::int64_t>(std::min(frames.count(), most_frames_known)) - 1;
@@ -268,11 +242,25 @@ ExitCode run(const RenderJob& job, Session& session) {
     Rendering rendering(job, session);
     for (std::int64_t frame = frames.first; frame <= frames.last; ++frame) {
         if (frame > last_known) will_write(frame);
+        if (!is_ours(frame)) continue;
         rendering.render(static_cast<double>(frame), frames.time(frame, job.loop),
                          names.name(frame));
     }
-    rendering.finish(fmt::format("wrote {} pictures, {} to {}", frames.count(),
-                                 names.name(frames.first), names.name(frames.last)));
+    rendering.finish(closing_line(rendering, names, frames));
+    return rendering.code();
+}
+
+}  // namespace
+
+ExitCode run(const RenderJob& job, Session& session) {
+    const std::string output = job.output.empty() ? default_name(job) : job.output;
+    check(job, output);
+    if (job.frames) return run_animation(job, output, session);
+    session.will_write(output, "-o");
+    session.will_write(job.statistics, "--stats");
+    Rendering rendering(job, session);
+    rendering.render(0, 0, output);
+    rendering.finish((rendering.kept() > 0 ? "kept " : "wrote ") + output);
     return rendering.code();
 }
 

@@ -21,8 +21,10 @@ struct RenderJob {
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
-    bool loop = false;     ///< the last frame comes before the first again
-    bool preview = false;  ///< one ray per pixel, a quarter of the width and of the height
+    std::optional<PartOf> part;  ///< of the picture, or of the frames where there are any
+    bool resume = false;         ///< takes what is there, when it is whole and what would be drawn
+    bool loop = false;           ///< the last frame comes before the first again
+    bool preview = false;        ///< one ray per pixel, a quarter of the width and of the height
     bool aov = false;
     bool quiet = false;
     Level level = best_level();  ///< the fastest that may be used

@@ -7,12 +7,12 @@
 #include <functional>
 #include <string_view>
 
+#include "base/sha256.h"
 #include "cli/arguments.h"
 #include "cli/deep_stack.h"
 #include "cli/picture_options.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
-#include "reference/povray/sha256.h"
 
 namespace lancer::cli {
 namespace {
@@ -44,11 +44,6 @@ Loader noting_loader(const std::function<void(const std::string& path)>& note) {
                 note(path);
                 return disk.image(path, space);
             }};
-}
-
-/// With its length in front, so that two different lists of parts never read the same.
-std::string framed(std::string_view part) {
-    return fmt::format("{}:{}\n", part.size(), part);
 }
 
 void add_limit(CLI::App& app, const std::string& name, std::uint64_t& target, std::int64_t most,
@@ -120,7 +115,7 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     const Definitions definitions{options_.definitions, frame, time};
     const auto note = [this](const std::string& path) {
         session_.files.add_input(path);
-        read_.insert(path);
+        read_.try_emplace(path);
     };
     std::vector<Diagnostic> found = syntax_errors_;
     Evaluation evaluation;
@@ -145,11 +140,14 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     return std::move(evaluation.scene);
 }
 
-std::string SceneLoader::content() const {
+std::string SceneLoader::content() {
     std::string all = framed(session_.sources.text(script_.file));
     for (const auto& [name, value] : options_.definitions) all += framed(name) + framed(value);
-    for (const std::string& path : read_) all += framed(reference::sha256(io::read_file(path)));
-    return reference::sha256(all);
+    for (auto& [path, digest] : read_) {
+        if (digest.empty()) digest = sha256(io::read_file(path));
+        all += framed(digest);
+    }
+    return sha256(all);
 }
 
 void SceneLoader::show_new(std::vector<Diagnostic> found) {

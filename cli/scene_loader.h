@@ -1,6 +1,7 @@
 // A scene file on its way to a Scene: read and parsed once, evaluated once per frame.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,9 +36,10 @@ class SceneLoader {
     /// a file that the scene reads.
     Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
-    /// Digest of all that was read for the scene, names not counted, and of the definitions: equal
-    /// ones make equal scenes. After load(). Throws FileError.
-    std::string content() const;
+    /// Digest of all that was read for the scenes loaded so far, names not counted, and of the
+    /// definitions: equal ones make equal scenes. After load(), which reads each file once: its
+    /// bytes count as they were then. Throws FileError.
+    std::string content();
 
     double parse_seconds() const { return parse_seconds_; }
     /// Of all evaluations up to now.
@@ -50,7 +52,7 @@ class SceneLoader {
     Session& session_;
     Script script_;
     std::vector<Diagnostic> syntax_errors_;
-    std::set<std::string> read_;   ///< files beside the script's own
+    std::map<std::string, std::string> read_;  ///< files beside the script's own, their digests
     std::set<std::string> shown_;  ///< warnings, so that ten frames do not warn ten times
     double parse_seconds_ = 0;
     double evaluate_seconds_ = 0;

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "cli/arguments.h"
+#include "cli/build_identity.h"
 #include "cli/commands.h"
 #include "cli/memory_bound.h"
 #include "cli/progress.h"
@@ -17,6 +18,7 @@
 #include "cli/scene_size.h"
 #include "cli/settings_options.h"
 #include "cli/stopwatch.h"
+#include "cli/sweep_share.h"
 #include "judge/tradeoff/page.h"
 #include "judge/tradeoff/tradeoff_text.h"
 #include "model/diagnostic.h"
@@ -33,6 +35,7 @@ struct TradeOffJob {
     std::string json;
     std::string report;  ///< a folder; empty: none
     std::string camera;
+    std::optional<PartOf> part;  ///< of the scenes
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     std::optional<double> budget;
@@ -73,15 +76,6 @@ Subject load(const std::string& path, const TradeOffJob& job, Session& session) 
     return subject;
 }
 
-/// Names this very build: another may render other pictures.
-std::string program_stamp() {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-    return fmt::format("{} {} {} ", LANCER_VERSION, fs::file_size(program, ignored),
-                       fs::last_write_time(program, ignored).time_since_epoch().count());
-}
-
 class TradeOffs {
   public:
     TradeOffs(const TradeOffJob& job, std::vector<Subject> subjects, Session& session)
@@ -90,7 +84,6 @@ class TradeOffs {
           subjects_(std::move(subjects)),
           bar_(session.terminal, job.quiet, subjects_.size()) {
         if (!job.no_cache) cache_ = reference::cache_folder();
-        if (!cache_.empty()) program_ = program_stamp();
     }
 
     void run() {
@@ -115,7 +108,7 @@ class TradeOffs {
             options.budget =
                 std::max(1e-3, *job_.budget - watch_.seconds()) / static_cast<double>(left);
         options.with_pictures = !job_.report.empty();
-        options.cache = {cache_, program_ + subject.content};
+        options.cache = {cache_, std::string(build_identity()) + subject.content};
         options.progress = [this](double share, const std::string& what) {
             bar_.set_label(what);
             bar_.update(share);
@@ -135,7 +128,6 @@ class TradeOffs {
     std::vector<Subject> subjects_;
     Stopwatch watch_;
     std::string cache_;
-    std::string program_;
     std::vector<TradeOffReport> reports_;
     ProgressBar bar_;
 };
@@ -157,11 +149,17 @@ void will_report(const TradeOffJob& job, Session& session) {
 }
 
 ExitCode tradeoff(const TradeOffJob& job, Session& session) {
+    const std::vector<std::string> scenes =
+        share_of(job.scenes, job.part,
+                 !job.report.empty() ? "--report"
+                 : job.json.empty()  ? ""
+                                     : "--json",
+                 job.no_cache ? std::string() : reference::cache_folder());
     session.will_write(job.json, "--json");
     will_report(job, session);
     // All are read before the first is measured: a mistake in the last would come late.
     std::vector<Subject> subjects;
-    for (const std::string& path : job.scenes) subjects.push_back(load(path, job, session));
+    for (const std::string& path : scenes) subjects.push_back(load(path, job, session));
     TradeOffs(job, std::move(subjects), session).run();
     return ExitCode::done;
 }
@@ -205,6 +203,7 @@ void add_tradeoff(CLI::App& app, Action& action) {
     add_number(command, "--budget", job->budget, 0.1, 1e7,
                "End within S seconds; what is left out is named")
         ->type_name("S");
+    add_share_option(command, job->part);
     add_view_options(command, job);
     command.add_flag("--no-cache", job->no_cache, "Make the truth anew, and do not keep it");
     command.add_flag("-q,--quiet", job->quiet, "No table");

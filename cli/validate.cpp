@@ -19,6 +19,7 @@
 #include "cli/progress.h"
 #include "cli/scene_loader.h"
 #include "cli/scene_size.h"
+#include "cli/sweep_share.h"
 #include "judge/report/shell_text.h"
 #include "judge/validate/our_renderer.h"
 #include "judge/validate/validation_text.h"
@@ -35,6 +36,7 @@ struct ValidateJob {
     std::string json;
     std::string junit;
     std::string camera;
+    std::optional<PartOf> part;  ///< of the scenes
     std::optional<PictureSize> size;
     std::optional<std::int64_t> jobs;
     std::optional<double> time_limit;
@@ -196,7 +198,17 @@ class Validations {
     ProgressBar bar_;
 };
 
+/// The option that asks for a report; empty: none does.
+std::string report_option(const ValidateJob& job) {
+    if (!job.report.empty()) return "--report";
+    if (!job.json.empty()) return "--json";
+    return job.junit.empty() ? "" : "--junit";
+}
+
 ExitCode validate(const ValidateJob& job, Session& session) {
+    const std::vector<std::string> scenes =
+        share_of(job.scenes, job.part, report_option(job),
+                 job.no_cache ? std::string() : reference::cache_folder());
     session.will_write(job.json, "--json");
     session.will_write(job.junit, "--junit");
     if (!job.report.empty())
@@ -204,7 +216,7 @@ ExitCode validate(const ValidateJob& job, Session& session) {
     // Scenes that cannot be read do not keep the others from their answer.
     ExitCode worst = ExitCode::done;
     std::vector<ValidationJob> jobs;
-    for (const std::string& path : job.scenes) {
+    for (const std::string& path : scenes) {
         try {
             jobs.push_back(load(path, job, session));
         } catch (const SceneRejected& rejected) {
@@ -240,6 +252,7 @@ void add_validate(CLI::App& app, Action& action) {
         .add_option("--junit", job->junit,
                     "Write the results as JUnit XML, for build servers; - to standard output")
         ->type_name("FILE");
+    add_share_option(command, job->part);
     command.add_option("--camera", job->camera, "Name of the camera; the first by default")
         ->type_name("NAME");
     command

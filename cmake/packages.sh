@@ -11,6 +11,7 @@ packages_to_build=(
 packages_to_test=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev
     povray clang-format-14 python3 chromium chromium-driver
+    slurmctld slurmd slurm-client munge make parallel
 )
 packages_to_test_all=(
     clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/sha256.h"
 #include "model/diagnostic.h"
 #include "model/io/file.h"
-#include "reference/povray/sha256.h"
 
 namespace lancer::judge {
 namespace {
@@ -28,10 +28,10 @@ fs::path entry_path(const TruthCache& cache, const std::string& key) {
 std::string truth_key(const std::string& content, const View& view, const TraceLimits& limits,
                       std::uint64_t seed) {
     const Crop part = view.crop.value_or(Crop{0, 0, view.width, view.height});
-    return reference::sha256(
-        fmt::format("{}{}:{} camera {} size {}x{} crop {},{},{},{} limits {} {} seed {}", magic,
-                    content.size(), content, view.camera, view.width, view.height, part.x, part.y,
-                    part.width, part.height, limits.max_depth, limits.min_contribution, seed));
+    return sha256(fmt::format("{}{}:{} camera {} size {}x{} crop {},{},{},{} limits {} {} seed {}",
+                              magic, content.size(), content, view.camera, view.width, view.height,
+                              part.x, part.y, part.width, part.height, limits.max_depth,
+                              limits.min_contribution, seed));
 }
 
 bool read_truth(const TruthCache& cache, const std::string& key, TruePicture& picture) {
@@ -42,7 +42,7 @@ bool read_truth(const TruthCache& cache, const std::string& key, TruePicture& pi
     if (!bytes.starts_with(magic) || bytes.size() <= begin || bytes[begin - 1] != '\n')
         return false;
     const std::string_view sums = std::string_view(bytes).substr(begin);
-    if (bytes.compare(magic.size(), digest_size, reference::sha256(sums)) != 0) return false;
+    if (bytes.compare(magic.size(), digest_size, sha256(sums)) != 0) return false;
     return picture.restore(sums);
 }
 
@@ -53,7 +53,7 @@ void write_truth(const TruthCache& cache, const std::string& key, const TruePict
     fs::create_directories(path.parent_path(), ignored);
     const std::string sums = picture.bytes();
     try {
-        io::write_file(path.string(), fmt::format("{}{}\n", magic, reference::sha256(sums)) + sums);
+        io::write_file(path.string(), fmt::format("{}{}\n", magic, sha256(sums)) + sums);
     } catch (const FileError&) {  // as said
     }
 }

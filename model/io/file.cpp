@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "model/io/descriptor.h"
 #include "model/io/system_error.h"
 #include "model/io/temporary_file.h"
 
@@ -17,21 +18,6 @@ namespace {
 
 /// Pipes and devices do not say how long they are, and some never end.
 constexpr std::size_t limit_without_size = std::size_t(256) << 20;
-
-/// An open file, closed at the end of its scope.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ > STDIN_FILENO) close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 std::string folder_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');

@@ -7,6 +7,7 @@
 #include "model/diagnostic.h"
 #include "model/io/file.h"
 #include "model/io/images_apart.h"
+#include "model/io/picture_format.h"
 #include "model/io/picture_input.h"
 #include "model/io/png_file.h"
 #include "model/io/ppm_file.h"
@@ -30,12 +31,6 @@ std::string format_of_ending(const std::string& ending) {
     return {};
 }
 
-/// The format to write: by the ending of the name; PNG for a device or pipe that has none.
-std::string format_of_name(const std::string& path) {
-    const std::string format = format_of_ending(lower_case_ending(path));
-    return format.empty() && is_stream(path) ? "png" : format;
-}
-
 /// The format of a file by its first bytes, whatever it is called; empty: none we read.
 std::string format_of_bytes(std::string_view bytes) {
     using namespace std::string_view_literals;
@@ -52,26 +47,30 @@ std::string format_of_bytes(std::string_view bytes) {
 
 }  // namespace
 
+std::string format_of_name(const std::string& path) {
+    const std::string format = format_of_ending(lower_case_ending(path));
+    return format.empty() && is_stream(path) ? "png" : format;
+}
+
 bool is_writable_image_name(const std::string& path) {
     return !format_of_name(path).empty();
 }
 
-void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options) {
+std::string encode_image(const std::string& path, const Image& image,
+                         const ImageWriteOptions& options) {
     if (image.width < 1 || image.height < 1 || image.channels < 1) {
         throw FileError(fmt::format("cannot write '{}': the picture has no pixels", path));
     }
     const std::string format = format_of_name(path);
-    if (format == "png") {
-        write_file(path, encode_png(image, options, path));
-    } else if (format == "ppm") {
-        write_file(path, encode_ppm(image, options));
-    } else if (!format.empty()) {
-        write_file(path, encode_apart(image, format, path, options));
-    } else {
-        throw FileError(fmt::format(
-            "cannot write '{}': a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm",
-            path));
-    }
+    if (format == "png") return encode_png(image, options, path);
+    if (format == "ppm") return encode_ppm(image, options);
+    if (!format.empty()) return encode_apart(image, format, path, options);
+    throw FileError(fmt::format(
+        "cannot write '{}': a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm", path));
+}
+
+void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options) {
+    write_file(path, encode_image(path, image, options));
 }
 
 Image read_image(const std::string& path, ColorSpace space) {

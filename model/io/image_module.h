@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "model/io/row_functions.h"
 #include "model/io/stored_image.h"
 
 namespace lancer::io {
@@ -17,6 +18,10 @@ struct ImageModule {
     std::string (*read)(std::string_view bytes, const std::string& format, PictureSink& sink);
     std::string (*write)(const StoredShape& shape, const void* pixels, const std::string& format,
                          PictureSink& sink);
+    /// The same row by row into an open file, from its beginning. The pictures are those that this
+    /// program made, so it may be called without a process of its own.
+    std::string (*write_rows)(const StoredShape& shape, const RowsOf& rows,
+                              const std::string& format, int file);
     /// From now on this process, with the threads that it may yet start, opens no file and no
     /// connection and starts no process, as far as the system can see to that.
     void (*confine)();

@@ -6,6 +6,7 @@
 
 #include "model/image.h"
 #include "model/io/image_file.h"
+#include "model/io/row_functions.h"
 
 namespace lancer::io {
 
@@ -15,6 +16,11 @@ bool is_png(std::string_view bytes);
 /// channels beyond are left out. Throws FileError naming `name`.
 std::string encode_png(const Image& image, const ImageWriteOptions& options,
                        const std::string& name);
+
+/// The same row by row: `row` is asked for each from the top, and what it gives holds until the
+/// next; the pixels of `like` are not looked at. Throws what `row` and `add` throw too.
+void encode_png(const Image& like, const ImageWriteOptions& options, const std::string& name,
+                const RowOf& row, const AddBytes& add);
 
 /// The curve that decode_png decodes this file's colours by: "sRGB", "linear" (gAMA 1), or a gAMA
 /// chunk with its number, as "gAMA 0.45455". Empty when the file cannot be read.

@@ -16,14 +16,16 @@ namespace {
 struct Writer {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::string bytes;
+    const AddBytes& add;
     std::string row;
     Quantizer quantizer;
     std::string message;
+    std::exception_ptr failure;      ///< what `add` threw, which must not pass through libpng
     std::vector<std::string> words;  ///< keys and values in turn
     std::vector<png_text> texts;     ///< that point to them
 
-    explicit Writer(const ImageWriteOptions& options) : quantizer(options.bits, options.linear) {
+    Writer(const ImageWriteOptions& options, const AddBytes& add_bytes)
+        : add(add_bytes), quantizer(options.bits, options.linear) {
         for (const auto& [name, value] : options.notes) {
             words.push_back("lancer:" + name);
             words.push_back(value);
@@ -50,21 +52,21 @@ void on_error(png_structp png, png_const_charp message) {
 void on_warning(png_structp, png_const_charp) {}
 
 void on_write(png_structp png, png_bytep data, std::size_t size) {
+    Writer& writer = *static_cast<Writer*>(png_get_io_ptr(png));
     try {
-        static_cast<Writer*>(png_get_io_ptr(png))
-            ->bytes.append(reinterpret_cast<const char*>(data), size);
+        writer.add({reinterpret_cast<const char*>(data), size});
     } catch (const std::exception&) {
-        png_error(png, "out of memory");
+        writer.failure = std::current_exception();
     }
+    if (writer.failure) png_error(png, "the file cannot be written");
 }
 
 void on_flush(png_structp) {}
 
 /// One row as PNG wants it: colour through the curve, alpha as it stands, 16 bits high byte first.
-void fill_row(Writer& writer, const Image& image, int y, int channels, int bits) {
+void fill_row(Writer& writer, const Image& like, const double* pixel, int channels, int bits) {
     std::size_t at = 0;
-    for (int x = 0; x < image.width; ++x) {
-        const double* pixel = image.pixel(x, y);
+    for (int x = 0; x < like.width; ++x, pixel += like.channels) {
         for (int c = 0; c < channels; ++c) {
             const unsigned step =
                 c == 3 ? writer.quantizer.raw(pixel[c]) : writer.quantizer.encoded(pixel[c]);
@@ -74,7 +76,8 @@ void fill_row(Writer& writer, const Image& image, int y, int channels, int bits)
     }
 }
 
-bool write(Writer& writer, const Image& image, int channels, const ImageWriteOptions& options) {
+bool write(Writer& writer, const Image& image, int channels, const ImageWriteOptions& options,
+           const RowOf& row) {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     const int color_type = channels == 1   ? PNG_COLOR_TYPE_GRAY
                            : channels == 3 ? PNG_COLOR_TYPE_RGB
@@ -98,7 +101,7 @@ bool write(Writer& writer, const Image& image, int channels, const ImageWriteOpt
                      static_cast<int>(writer.texts.size()));
     png_write_info(writer.png, writer.info);
     for (int y = 0; y < image.height; ++y) {
-        fill_row(writer, image, y, channels, options.bits);
+        fill_row(writer, image, row(y), channels, options.bits);
         png_write_row(writer.png, reinterpret_cast<png_const_bytep>(writer.row.data()));
     }
     png_write_end(writer.png, nullptr);
@@ -107,20 +110,29 @@ bool write(Writer& writer, const Image& image, int channels, const ImageWriteOpt
 
 }  // namespace
 
-std::string encode_png(const Image& image, const ImageWriteOptions& options,
-                       const std::string& name) {
-    const int color = image.color_channels();
+void encode_png(const Image& like, const ImageWriteOptions& options, const std::string& name,
+                const RowOf& row, const AddBytes& add) {
+    const int color = like.color_channels();
     const int channels = color >= 4 ? 4 : color == 3 ? 3 : 1;
-    Writer writer(options);
-    writer.row.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(channels) *
+    Writer writer(options, add);
+    writer.row.resize(static_cast<std::size_t>(like.width) * static_cast<std::size_t>(channels) *
                       static_cast<std::size_t>(options.bits / 8));
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
     if (writer.png != nullptr) writer.info = png_create_info_struct(writer.png);
     if (writer.info == nullptr) writer.message = "out of memory";
-    if (writer.info == nullptr || !write(writer, image, channels, options)) {
+    if (writer.info == nullptr || !write(writer, like, channels, options, row)) {
+        if (writer.failure) std::rethrow_exception(writer.failure);
         throw FileError("cannot write '" + name + "': " + writer.message);
     }
-    return std::move(writer.bytes);
+}
+
+std::string encode_png(const Image& image, const ImageWriteOptions& options,
+                       const std::string& name) {
+    std::string bytes;
+    encode_png(
+        image, options, name, [&](int y) { return image.pixel(0, y); },
+        [&](std::string_view piece) { bytes += piece; });
+    return bytes;
 }
 
 }  // namespace lancer::io

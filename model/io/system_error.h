@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -11,9 +12,37 @@
 
 namespace lancer::io {
 
+/// A FileError that knows its number.
+struct SystemError : FileError {
+    SystemError(const std::string& message, int number) : FileError(message), code(number) {}
+    int code;  ///< as errno has it
+
+    /// A network's or a network file system's trouble, or another process's: it may be gone the
+    /// next time, or on another machine. A full disk and missing rights want somebody's hand.
+    bool may_pass() const {
+        switch (code) {
+            case ESTALE:
+            case ETIMEDOUT:
+            case EIO:
+            case EREMOTEIO:
+            case ENETDOWN:
+            case ENETUNREACH:
+            case EHOSTDOWN:
+            case EHOSTUNREACH:
+            case ECONNRESET:
+            case EAGAIN:
+            case EBUSY:
+            case ENFILE:
+                return true;
+            default:
+                return false;
+        }
+    }
+};
+
 /// "cannot read 'a.obj': No such file or directory"
-inline FileError system_error(std::string_view what, const std::string& path, int code) {
-    return FileError(fmt::format("{} '{}': {}", what, path, std::generic_category().message(code)));
+inline SystemError system_error(std::string_view what, const std::string& path, int code) {
+    return {fmt::format("{} '{}': {}", what, path, std::generic_category().message(code)), code};
 }
 
 }  // namespace lancer::io

@@ -1,7 +1,7 @@
 #include "reference/pov/signature.h"
 
+#include "base/sha256.h"
 #include "model/io/png_file.h"
-#include "reference/povray/sha256.h"
 
 namespace lancer::reference {
 namespace {

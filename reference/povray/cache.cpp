@@ -8,9 +8,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/sha256.h"
 #include "model/diagnostic.h"
 #include "model/io/file.h"
-#include "reference/povray/sha256.h"
 
 namespace lancer::reference {
 
@@ -29,11 +29,6 @@ fs::path entry_path(const std::string& folder, const std::string& key) {
 std::string environment(const char* name) {
     const char* value = std::getenv(name);
     return value ? value : "";
-}
-
-/// With its length in front, so that two different lists of parts never read the same.
-std::string framed(std::string_view part) {
-    return fmt::format("{}:{}\n", part.size(), part);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "cli/guarded.h"
 #include "cli/memory_bound.h"
 #include "model/diagnostic.h"
+#include "model/io/system_error.h"
 #include "tests/cli/run_lancer.h"
 
 namespace lancer::cli {
@@ -118,6 +119,11 @@ TEST(Guarded, TellsEachKindOfFailureByItsCode) {
     EXPECT_EQ(code([] { throw std::bad_alloc(); }).first, ExitCode::files);
     EXPECT_EQ(code([] { throw std::system_error(EAGAIN, std::generic_category()); }).first,
               ExitCode::files);
+    const auto system = [&code](int number) {
+        return code([number] { throw io::system_error("cannot read", "x", number); }).first;
+    };
+    EXPECT_EQ(system(ESTALE), ExitCode::try_again);
+    EXPECT_EQ(system(ENOSPC), ExitCode::files);
     const auto bug = code([] { throw std::out_of_range("map::at"); });
     EXPECT_EQ(bug.first, ExitCode::bug);
     EXPECT_THAT(bug.second, HasSubstr("this is a bug in lancer: map::at"));

@@ -40,7 +40,12 @@ std::string write(const StoredShape& shape, const void* pixels, const std::strin
     return guarded([&] { return write_with_oiio(shape, pixels, format, sink); });
 }
 
-const ImageModule functions{read, write, confine};
+std::string write_rows(const StoredShape& shape, const RowsOf& rows, const std::string& format,
+                       int file) {
+    return guarded([&] { return write_rows_with_oiio(shape, rows, format, file); });
+}
+
+const ImageModule functions{read, write, write_rows, confine};
 
 }  // namespace
 }  // namespace lancer::io

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/io/descriptor.h"
 #include "model/io/image_limits.h"
 
 namespace lancer::io {
@@ -155,11 +156,43 @@ OIIO::ImageSpec spec_of(const StoredShape& shape, const std::string& format) {
     return spec;
 }
 
-/// How many threads OpenEXR is to have; as many as there are processors.
-int exr_threads = 1;
-
 /// Files in memory have no name; libraries put this one into their messages.
 constexpr const char* nameless = "picture";
+
+/// An open file, as OpenImageIO writes it.
+class FileProxy : public OIIO::Filesystem::IOProxy {
+  public:
+    explicit FileProxy(int file) : IOProxy("", Write), file_(file) {}
+    const char* proxytype() const override { return "descriptor"; }  // "file" has a FILE*
+    std::size_t write(const void* bytes, std::size_t size) override {
+        size = pwrite(bytes, size, m_pos);
+        m_pos += static_cast<std::int64_t>(size);
+        return size;
+    }
+    std::size_t pwrite(const void* bytes, std::size_t size, std::int64_t at) override {
+        try {
+            write_all_at(file_, {static_cast<const char*>(bytes), size},
+                         static_cast<std::uint64_t>(at), nameless);
+        } catch (const FileError& error) {  // which must not pass through libraries in C
+            problem_ = error.what();
+            return 0;
+        }
+        size_ = std::max(size_, at + static_cast<std::int64_t>(size));
+        return size;
+    }
+    /// Why it could not be written; empty: it could.
+    const std::string& problem() const { return problem_; }
+    std::size_t size() const override { return static_cast<std::size_t>(size_); }
+    void flush() const override {}
+
+  private:
+    int file_;
+    std::int64_t size_ = 0;
+    std::string problem_;
+};
+
+/// How many threads OpenEXR is to have; as many as there are processors.
+int exr_threads = 1;
 
 /// What OpenImageIO has to say about a failure, which is not nothing.
 template <class Source>
@@ -226,6 +259,27 @@ std::string write_with_oiio(const StoredShape& shape, const void* pixels, const 
     if (!output->close()) return reason_of(*output);
     sink.bytes(bytes.data(), bytes.size());
     return {};
+}
+
+std::string write_rows_with_oiio(const StoredShape& shape, const RowsOf& rows,
+                                 const std::string& format, int file) {
+    OIIO::attribute("exr_threads", exr_threads);
+    FileProxy proxy(file);
+    const auto output = OIIO::ImageOutput::create(format, &proxy);
+    if (!output) return "OpenImageIO was built without this format";
+    OIIO::ImageSpec spec = spec_of(shape, format);
+    OIIO::Filesystem::IOProxy* address = &proxy;
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &address);
+    if (!output->open(nameless, spec)) return reason_of(*output);
+    constexpr int step = 64;  // a multiple of what EXR and TIFF compress at once
+    for (int y = 0; y < shape.height; y += step) {
+        const int end = std::min(y + step, shape.height);
+        if (!output->write_scanlines(y, end, 0, type_of(shape.type), rows(y, end - y)) ||
+            output->has_error() || !proxy.problem().empty())
+            return proxy.problem().empty() ? reason_of(*output) : proxy.problem();
+    }
+    if (!output->close() && proxy.problem().empty()) return reason_of(*output);
+    return proxy.problem();
 }
 
 }  // namespace lancer::io

@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/sha256.h"
 #include "model/diagnostic.h"
 #include "model/io/png_file.h"
 #include "model/io/temporary_file.h"
 #include "reference/povray/cache.h"
-#include "reference/povray/sha256.h"
 
 namespace lancer::reference {
 namespace {

@@ -1,12 +1,9 @@
-#include "reference/povray/sha256.h"
+#include "base/sha256.h"
 
-#include <fmt/format.h>
-
-#include <array>
+#include <algorithm>
 #include <bit>
-#include <cstdint>
 
-namespace lancer::reference {
+namespace lancer {
 
 namespace {
 
@@ -56,21 +53,42 @@ void absorb(State& state, const char* block) {  // 6.2.2
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-    State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,  // 5.3.3
-                0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-    std::size_t at = 0;
-    for (; at + 64 <= bytes.size(); at += 64) absorb(state, bytes.data() + at);
+void Sha256::add(std::string_view bytes) {
+    size_ += bytes.size();
+    if (!rest_.empty()) {
+        const std::size_t missing = std::min(64 - rest_.size(), bytes.size());
+        rest_ += bytes.substr(0, missing);
+        bytes.remove_prefix(missing);
+        if (rest_.size() < 64) return;
+        absorb(state_, rest_.data());
+        rest_.clear();
+    }
+    for (; bytes.size() >= 64; bytes.remove_prefix(64)) absorb(state_, bytes.data());
+    rest_ = bytes;
+}
+
+std::string Sha256::digits() {
     // 5.1.1: a one, zeros, and the length in bits as 64-bit number, up to a whole block.
-    std::string tail(bytes.substr(at));
-    tail += '\x80';
-    while (tail.size() % 64 != 56) tail += '\0';
-    const std::uint64_t bits = static_cast<std::uint64_t>(bytes.size()) * 8;
+    std::string tail = "\x80";
+    while ((rest_.size() + tail.size()) % 64 != 56) tail += '\0';
+    const std::uint64_t bits = size_ * 8;
     for (int shift = 56; shift >= 0; shift -= 8) tail += static_cast<char>(bits >> shift & 0xFF);
-    for (at = 0; at < tail.size(); at += 64) absorb(state, tail.data() + at);
+    add(tail);
     std::string out;
-    for (const std::uint32_t word : state) out += fmt::format("{:08x}", word);
+    for (const std::uint32_t word : state_) {
+        for (int shift = 28; shift >= 0; shift -= 4) out += "0123456789abcdef"[word >> shift & 0xF];
+    }
     return out;
 }
 
-}  // namespace lancer::reference
+std::string sha256(std::string_view bytes) {
+    Sha256 digest;
+    digest.add(bytes);
+    return digest.digits();
+}
+
+std::string framed(std::string_view part) {
+    return std::to_string(part.size()) + ":" + std::string(part) + "\n";
+}
+
+}  // namespace lancer

@@ -1,0 +1,14 @@
+// What can be said of a render job before its scene is read.
+#pragma once
+
+#include <string>
+
+#include "cli/render_job.h"
+
+namespace lancer::cli {
+
+/// Throws UsageError for options that contradict each other, and UsageError or FileError for a name
+/// that the picture cannot have.
+void check(const RenderJob& job, const std::string& output);
+
+}  // namespace lancer::cli

@@ -1,0 +1,48 @@
+#include "cli/sweep_share.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+#include "cli/session.h"
+#include "model/diagnostic.h"
+#include "model/io/temporary_file.h"
+
+namespace lancer::cli {
+namespace {
+
+/// Finds out now, not after an hour: elsewhere a cache that cannot be written merely costs time.
+void check_writable(const std::string& cache) {
+    std::error_code error;
+    std::filesystem::create_directories(cache, error);
+    if (error)
+        throw FileError(fmt::format("cannot write the cache '{}': {}", cache, error.message()));
+    const io::TemporaryFile trial(cache, "", cache);
+}
+
+}  // namespace
+
+void add_share_option(CLI::App& app, std::optional<PartOf>& part) {
+    app.add_option_function<std::string>(
+           "--part", [&part](const std::string& text) { part = parse_part(text); },
+           "Every N-th scene from the K-th on; the cache keeps what a run over all needs")
+        ->type_name("K/N");
+}
+
+std::vector<std::string> share_of(const std::vector<std::string>& scenes,
+                                  const std::optional<PartOf>& part, const std::string& report,
+                                  const std::string& cache) {
+    if (!part) return scenes;
+    if (!report.empty())
+        throw UsageError(report + " tells of all scenes: the last run, without --part, writes it");
+    if (cache.empty())
+        throw UsageError("--part keeps its results in the cache: leave --no-cache out");
+    check_writable(cache);
+    std::vector<std::string> share;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        if (part->has(static_cast<std::int64_t>(i))) share.push_back(scenes[i]);
+    return share;
+}
+
+}  // namespace lancer::cli
