@@ -5,6 +5,7 @@
 
 #include "tracer/intersect/media.h"
 #include "tracer/rays/ray_tree.h"
+#include "tracer/rays/trace_limits.h"
 #include "tracer/shading/light_sample.h"
 #include "tracer/shading/surface.h"
 
