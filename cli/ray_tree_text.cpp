@@ -83,9 +83,13 @@ class RayTreeText {
                 return;
             case RayTree::End::background:
                 line(depth,
-                     fmt::format("ends: it meets nothing more; of the background {} arrives, "
-                                 "times {}",
-                                 in_words(scene_.background), in_words(ray.share)));
+                     scene_.sky
+                         ? fmt::format(
+                               "ends: it meets nothing more; the sky there arrives, times {}",
+                               in_words(ray.share))
+                         : fmt::format("ends: it meets nothing more; of the background {} arrives, "
+                                       "times {}",
+                                       in_words(scene_.background), in_words(ray.share)));
                 return;
             case RayTree::End::depth:
             case RayTree::End::weight:

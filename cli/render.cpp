@@ -25,6 +25,10 @@ void add_output_options(CLI::App& app, RenderJob& job) {
     app.add_flag("--aov", job.aov,
                  "Also object id, depth, normal and shadow, as channels of an EXR")
         ->group(group);
+    app.add_flag("--alpha", job.alpha,
+                 "What hits nothing is transparent, glass before it as far as light passes: for "
+                 ".png, .tif and .exr")
+        ->group(group);
     app.add_option("--stats", job.statistics,
                    "Write times and counts as JSON; - shows them as text on standard output")
         ->type_name("FILE")

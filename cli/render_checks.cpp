@@ -55,6 +55,17 @@ void check_part_options(const RenderJob& job, const std::string& output) {
     if (ending_of(output) != ".exr") throw UsageError("--part needs an .exr file: -o part-1.exr");
 }
 
+void check_alpha(const RenderJob& job, const std::string& output) {
+    if (!job.alpha) return;
+    if (job.error.any())
+        throw UsageError(
+            "--alpha goes with --samples, not with --max-error, --max-off, --time or --passes");
+    if (job.part && !job.frames) throw UsageError("a part of one picture has no alpha");
+    const std::string ending = ending_of(output);
+    if (ending != ".png" && ending != ".tif" && ending != ".tiff" && ending != ".exr")
+        throw UsageError(fmt::format("--alpha is for .png, .tif and .exr, not for '{}'", output));
+}
+
 }  // namespace
 
 void check(const RenderJob& job, const std::string& output) {
@@ -62,6 +73,7 @@ void check(const RenderJob& job, const std::string& output) {
     check_error_options(job);
     check_part_options(job, output);
     check_picture_name(output, job.image, job.aov);
+    check_alpha(job, output);
 }
 
 }  // namespace lancer::cli

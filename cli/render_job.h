@@ -26,6 +26,7 @@ struct RenderJob {
     bool loop = false;           ///< the last frame comes before the first again
     bool preview = false;        ///< one ray per pixel, a quarter of the width and of the height
     bool aov = false;
+    bool alpha = false;
     bool quiet = false;
     Level level = best_level();  ///< the fastest that may be used
     std::string

@@ -39,6 +39,7 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     view.height = job.size ? job.size->height : scene.height;
     view.crop = job.crop;
     view.aov = job.aov;
+    view.alpha = job.alpha;
     if (job.crop) check_crop(*job.crop, view.width, view.height);
     if (job.preview) make_coarser(view);
     const int width = view.crop ? view.crop->width : view.width;
@@ -46,7 +47,7 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     constexpr int most_strip_rows = 16;  // of a part, which is never held as a whole
     if (job.part && !job.frames) height = std::min(height, most_strip_rows);
     constexpr int sampled = 20;  // sums, scores and predictions, counted as channels
-    const int channels = (job.aov ? 9 : 3) + (job.error.any() ? sampled : 0);
+    const int channels = (job.aov ? 9 : 3) + (job.alpha ? 1 : 0) + (job.error.any() ? sampled : 0);
     const std::uint64_t needed = picture_bytes(width, height, channels);
     if (needed > available_memory()) {
         const std::string message =

@@ -44,6 +44,7 @@ io::Origin origin_of(const RenderJob& job, SceneLoader& loader, const Settings& 
     if (job.frames) options += fmt::format(", frame {}, time {}", frame, time);
     options += ", " + text_of(settings) + text_of(job.error);
     if (view.aov) options += ", aov";
+    if (view.alpha) options += ", alpha";
     if (job.image.bits != 8) options += fmt::format(", bits {}", job.image.bits);
     if (job.image.linear) options += ", linear";
     return {loader.content(), std::string(build_identity()), options};

@@ -31,6 +31,7 @@ struct TrianglesOf {
     std::uint64_t operator()(const Plane&) const { return 0; }
     std::uint64_t operator()(const Cylinder&) const { return 0; }
     std::uint64_t operator()(const Cone&) const { return 0; }
+    std::uint64_t operator()(const Torus&) const { return 0; }
     std::uint64_t operator()(const Triangle&) const { return 1; }
     std::uint64_t operator()(const MeshRef& ref) const {
         return scene.meshes[ref.mesh]->faces.size();

@@ -18,6 +18,7 @@ struct HasInside {
     bool operator()(const Plane&) const { return true; }
     bool operator()(const Cylinder& cylinder) const { return cylinder.capped; }
     bool operator()(const Cone& cone) const { return cone.capped; }
+    bool operator()(const Torus&) const { return true; }
     bool operator()(const Triangle&) const { return false; }
     bool operator()(const MeshRef& ref) const { return is_closed(*scene.meshes[ref.mesh]); }
     bool operator()(const PatchRef&) const { return false; }

@@ -36,8 +36,12 @@ struct Gradient {
     std::vector<Stop> stops;  ///< at least one, `at` never decreasing
 };
 
+/// The colours of a mesh's vertices, interpolated over its faces: `color vertex` in a material,
+/// which only meshes with colours wear.
+struct VertexColors {};
+
 struct Texture {
-    std::variant<ImageTexture, Checker, Gradient> pattern;
+    std::variant<ImageTexture, Checker, Gradient, VertexColors> pattern;
     Affine<double> to_object;  ///< the texture's own transforms
 };
 

@@ -55,6 +55,7 @@ std::vector<Mesh> split(const Mesh& mesh, std::span<const std::uint32_t> numbers
     Compactor<Vec3d> vertices(mesh.vertices);
     Compactor<Vec3d> normals(mesh.normals);
     Compactor<Vec2d> uvs(mesh.uvs);
+    Compactor<Vec3d> colors(mesh.colors);
     const auto& normal_faces = mesh.normal_faces.empty() ? mesh.faces : mesh.normal_faces;
     const auto& uv_faces = mesh.uv_faces.empty() ? mesh.faces : mesh.uv_faces;
     std::vector<Mesh> pieces(count);
@@ -64,6 +65,9 @@ std::vector<Mesh> split(const Mesh& mesh, std::span<const std::uint32_t> numbers
         if (!mesh.normals.empty())
             normals.compact(normal_faces, faces_of[i], piece.normals, piece.normal_faces);
         if (!mesh.uvs.empty()) uvs.compact(uv_faces, faces_of[i], piece.uvs, piece.uv_faces);
+        std::vector<Mesh::Corners> as_vertices;
+        if (!mesh.colors.empty())
+            colors.compact(mesh.faces, faces_of[i], piece.colors, as_vertices);
         if (piece.normal_faces == piece.faces) piece.normal_faces = {};
         if (piece.uv_faces == piece.faces) piece.uv_faces = {};
     }

@@ -47,7 +47,8 @@ Color plain_color(const Scene& scene, const Material& material) {
     if (const auto* image = std::get_if<ImageTexture>(&pattern))
         return mean(*scene.images[image->image].pixels);
     if (const auto* checker = std::get_if<Checker>(&pattern)) return mean(*checker);
-    return mean(std::get<Gradient>(pattern));
+    if (const auto* gradient = std::get_if<Gradient>(&pattern)) return mean(*gradient);
+    return Color(1);  // of vertices: many meshes may wear it
 }
 
 }  // namespace lancer

@@ -47,6 +47,7 @@ struct KindOf {
     Kind operator()(const Plane&) const { return {}; }
     Kind operator()(const Cylinder&) const { return {}; }
     Kind operator()(const Cone&) const { return {}; }
+    Kind operator()(const Torus&) const { return {}; }
     Kind operator()(const Triangle& t) const {
         const bool normals =
             t.attributes != none && scene.triangle_attributes[t.attributes].normals.has_value();

@@ -83,6 +83,8 @@ struct Scene {
     int height = 480;
     Settings settings;
     Color background{0, 0, 0};
+    /// In its place, by the cosine of a ray's direction with the axis: stops from -1 to 1.
+    std::optional<Gradient> sky;
     Color ambient{1, 1, 1};
     std::vector<Camera> cameras;  ///< the first is the default
     std::vector<Light> lights;

@@ -43,6 +43,12 @@ struct Cone {
     bool capped = true;
 };
 
+/// Solid ring: a tube bent round the y axis of its own space, in the plane y = 0.
+struct Torus {
+    double radius = 1;  ///< of the circle in the tube's middle; >= tube
+    double tube = 0.5;  ///< radius of the tube, > 0
+};
+
 /// The points p with normal·p = offset·|normal|. Its inside is opposite to the normal.
 struct Plane {
     Vec3d normal{0, 1, 0};  ///< as written: any length but 0
@@ -87,7 +93,7 @@ struct CompositeRef {
 };
 
 /// The closed set of shapes. Add a line here and the build names every place still missing.
-using Shape = std::variant<Sphere, Box, Cylinder, Cone, Plane, Triangle, MeshRef, PatchRef,
+using Shape = std::variant<Sphere, Box, Cylinder, Cone, Torus, Plane, Triangle, MeshRef, PatchRef,
                            LatheRef, PrismRef, CompositeRef>;
 
 /// Indexed triangles. A corner has up to three indices: its place, its normal, its texture place.
@@ -102,6 +108,7 @@ struct Mesh {
     std::vector<Vec2d> uvs;  ///< may be empty
     /// Into `uvs`, one per face; empty: the same as `faces`. A corner may be `none`.
     std::vector<Corners> uv_faces;
+    std::vector<Vec3d> colors;  ///< linear light, one per vertex; may be empty: none given
 };
 
 /// Bicubic Bezier patch (4 x 4) or uniform bicubic B-spline net (rows x columns, each >= 4).

@@ -62,6 +62,8 @@ struct Rewriter {
         c.top_radius *= to.factor;
         return true;
     }
+    /// It stands round an axis through the origin of its own space.
+    bool operator()(Torus&) const { return false; }
     bool operator()(Plane& p) const {
         const bool stays = to.shift == Vec3d(0);
         // Adding n·shift to the offset would round it for any other normal.
@@ -107,6 +109,7 @@ class Changer {
         for (Material& material : scene_.materials) material.absorption /= to_.factor;
         for (Camera& camera : scene_.cameras) change(camera);
         for (Light& light : scene_.lights) change(light);
+        if (scene_.sky) scene_.sky->axis = to_.direction(scene_.sky->axis);
         if (scene_.settings.tolerance) *scene_.settings.tolerance *= to_.factor;
         return std::move(scene_);
     }

@@ -12,6 +12,12 @@ namespace {
 using Kind = ast::Statement::Kind;
 
 /// "'base', 'top' and 'radius'".
+/// Whether it takes values beside its words: one word alone would be no choice. A name of the
+/// script's then wins over the word.
+bool takes_values(const Field& field) {
+    return field.words.size() == 1;
+}
+
 std::string enumeration(const std::vector<std::string_view>& words) {
     std::string all;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -23,7 +29,7 @@ std::string enumeration(const std::vector<std::string_view>& words) {
 
 /// What to write instead of a value that a property does not take.
 std::string hint_for_value(const Field& field, const Value& value) {
-    if (value.is(Value::Kind::text) && !field.words.empty()) {
+    if (value.is(Value::Kind::text) && !field.words.empty() && !takes_values(field)) {
         Suggestion suggestion(value.text());
         for (const std::string_view word : field.words) suggestion.consider(word);
         return suggestion.hint();
@@ -118,7 +124,9 @@ bool BlockReader::read_property(Evaluator& evaluator, const ast::File& file,
     if (!words.empty() && lone_name) {
         const std::string_view word = evaluator.text(first.low());
         const bool known = std::find(words.begin(), words.end(), word) != words.end();
-        if (known || !evaluator.has_value(first.low())) value = Value(std::string(word));
+        const bool is_value = evaluator.has_value(first.low());
+        if (takes_values(field) ? known && !is_value : known || !is_value)
+            value = Value(std::string(word));
     }
     if (value.is_broken()) value = evaluator.evaluate(file, expression);
     if (value.is_broken()) return false;

@@ -16,6 +16,7 @@ void Evaluator::execute_property(const ast::File& file, const ast::Statement& st
         const Field& field = known.field(known.index(statement.word));
         SourceSpan& first = word == "background" ? background_place : ambient_place;
         if (is_repeated(word, first, file.span(statement))) return;
+        if (word == "background") check_one_background(file.span(statement));
         if (BlockReader::read_property(*this, file, statement, field, &builder_.scene))
             warn_bright_light(
                 report_, file.span(statement.value),
@@ -187,6 +188,19 @@ Value Evaluator::block_in_place(const ast::File& file, std::uint32_t index) {
     if (result == none) return {};
     return word.keyword == program_.vocabulary.material ? Value::material(result)
                                                         : Value::texture(result);
+}
+
+void Evaluator::check_one_background(const SourceSpan& place) {
+    const bool both =
+        background_place.file != SourceSpan::nowhere && sky_place.file != SourceSpan::nowhere;
+    if (!both) return;
+    Diagnostic* error = report_.error(Message::sky_and_background, place);
+    const bool sky_is_first =
+        background_place.offset == place.offset && background_place.file == place.file;
+    if (error != nullptr)
+        error->notes.insert(
+            error->notes.begin(),
+            Report::note(Message::first_here, sky_is_first ? sky_place : background_place));
 }
 
 bool Evaluator::is_repeated(std::string_view word, SourceSpan& first, const SourceSpan& place) {

@@ -53,7 +53,12 @@ struct SheetOf {
             "a lathe with an open profile",
             "a profile that begins and ends on the axis, or ends where it began, has an inside"};
     }
-    Sheet operator()(const auto&) const { return {"a sheet", ""}; }
+    // All these have an inside.
+    Sheet operator()(const Sphere&) const { return {}; }
+    Sheet operator()(const Box&) const { return {}; }
+    Sheet operator()(const Torus&) const { return {}; }
+    Sheet operator()(const Plane&) const { return {}; }
+    Sheet operator()(const CompositeRef&) const { return {}; }
 };
 
 }  // namespace

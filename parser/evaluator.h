@@ -72,7 +72,9 @@ class Evaluator {
     bool is_new_camera(const std::string& name, const SourceSpan& place);
     /// Reports a second statement of a kind that may stand once; `first` remembers the first.
     bool is_repeated(std::string_view word, SourceSpan& first, const SourceSpan& place);
-    SourceSpan image_place, render_place, background_place, ambient_place;
+    /// Reports a background beside a sky, which takes its place.
+    void check_one_background(const SourceSpan& place);
+    SourceSpan image_place, render_place, background_place, ambient_place, sky_place;
 
   private:
     /// An argument of a call, by its parameter.

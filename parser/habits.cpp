@@ -26,7 +26,10 @@ constexpr std::string_view values = "a value gets its name by 'let name = ...'";
 
 constexpr Entry words[] = {
     // Shapes
-    {"torus", "a torus is a lathe whose profile is a circle beside the axis, of bezier points"},
+    {"major", "a torus has a 'radius', of its ring, and a 'tube'"},
+    {"minor", "a torus has a 'radius', of its ring, and a 'tube'"},
+    {"major_radius", "a torus has a 'radius', of its ring, and a 'tube'"},
+    {"minor_radius", "a torus has a 'radius', of its ring, and a 'tube'"},
     {"cube", "a box has two corners: box { min [-1, -1, -1] max [1, 1, 1] }"},
     {"cuboid", "a box has two corners: box { min [-1, -1, -1] max [1, 1, 1] }"},
     {"ball", "a ball is a sphere { radius 1 }"},
@@ -54,7 +57,8 @@ constexpr Entry words[] = {
     {"sun", "a sun is light directional { direction [-1, -2, -1] }"},
     {"global_settings", "such settings stand in render { max_depth 8 }, and 'ambient' in the file"},
     {"ambient_light", "the ambient light is the file's property 'ambient [1, 1, 1]'"},
-    {"sky_sphere", "what stands behind everything is 'background [0.5, 0.7, 0.9]'"},
+    {"sky_sphere",
+     "what stands behind everything is 'background', or sky { gradient [0, 1, 0] ... }"},
     {"location", "a camera stands at its 'position'"},
     {"eye", "a camera stands at its 'position'"},
     {"target", "a camera looks at its 'look_at'"},

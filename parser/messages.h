@@ -123,6 +123,7 @@ namespace lancer {
     M(box_corners,            "each component of 'max' must be at least that of 'min'") \
     M(axis_is_point,          "'base' and 'top' are the same point") \
     M(cone_without_radius,    "a cone needs a radius greater than 0 at one end") \
+    M(torus_crosses,          "a tube of {} is wider than its ring of {}: the surface would cross itself on the axis") \
     M(element_count,          "'{}' has {}, but there are {}") \
     M(mesh_two_ways,          "a mesh has either 'file' or 'vertices' and 'faces'") \
     M(face_index,             "face {} names vertex {}, but there are {}") \
@@ -144,6 +145,9 @@ namespace lancer {
     M(texture_patterns,       "a texture has one of 'image', 'checker' and 'gradient'") \
     M(texture_option,         "'{}' belongs to a texture with '{}'") \
     M(stops_missing,          "a gradient needs 'stops'") \
+    M(sky_stop,               "the stops of a sky lie between -1 and 1, not at {}") \
+    M(sky_and_background,     "a sky stands in place of the background: one of the two") \
+    M(no_vertex_colors,       "the material takes the colours of vertices, and {}") \
     M(stops_order,            "the stops of a gradient must not go back: {} follows {}") \
     /* Command line */ \
     M(unknown_definition,     "-D {}: the scene has no param of this name") \

@@ -8,6 +8,7 @@
 #include "parser/evaluator.h"
 #include "parser/program.h"
 #include "parser/syntax.h"
+#include "parser/vertex_colors.h"
 
 namespace lancer {
 
@@ -66,6 +67,7 @@ Evaluation evaluate(const Script& script, const Definitions& definitions, const 
         } catch (const StopReading&) {
         }
         result.scene = evaluator.take_scene();
+        if (!report.any_error()) check_vertex_colors(result.scene, report);
         if (!report.any_error())
             for (Diagnostic& warning : advice_on(result.scene, evaluator.builder().pieces))
                 found.push_back(std::move(warning));

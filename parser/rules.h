@@ -178,6 +178,15 @@ struct Points {
         return read_list(value, out, instead, read_vector);
     }
 };
+struct Colors {
+    static constexpr std::string_view takes = "a list of colours without negative parts";
+    static bool read(const Value& value, std::vector<Vec3d>& out, std::string& instead) {
+        return read_list(value, out, instead, [](const Value& one, Vec3d& color) {
+            std::string ignored;
+            return ColorRule::read(one, color, ignored);
+        });
+    }
+};
 struct PlanePoints {
     static constexpr std::string_view takes = "a list of vectors of 2 numbers";
     static bool read(const Value& value, std::vector<Vec2d>& out, std::string& instead) {
@@ -234,11 +243,15 @@ struct MaterialRule {
 struct ColorOrTexture {
     Color color{1, 1, 1};
     std::uint32_t texture = none;
+    bool of_vertices = false;
 };
 struct ColorOrTextureRule {
     static constexpr std::string_view takes =
-        "a colour, [red, green, blue] or #rrggbb, without negative parts, or a texture";
+        "a colour, [red, green, blue] or #rrggbb, without negative parts, a texture, or vertex";
+    static constexpr std::array<std::string_view, 1> words{"vertex"};
     static bool read(const Value& value, ColorOrTexture& out, std::string& instead) {
+        out.of_vertices = value.is(Value::Kind::text) && value.text() == words[0];
+        if (out.of_vertices) return true;
         if (!value.is(Value::Kind::texture)) return ColorRule::read(value, out.color, instead);
         out.texture = value.index();
         return true;

@@ -225,6 +225,11 @@ std::uint32_t SceneBuilder::add(const Texture& texture, const SourceSpan& place)
     return static_cast<std::uint32_t>(scene.textures.size() - 1);
 }
 
+std::uint32_t SceneBuilder::vertex_colors(const SourceSpan& place) {
+    if (vertex_colors_ == none) vertex_colors_ = add(Texture{VertexColors{}, {}}, place);
+    return vertex_colors_;
+}
+
 void SceneBuilder::add(const Camera& camera) {
     count(scene.cameras.size(), camera.place, "cameras");
     scene.cameras.push_back(camera);

@@ -59,6 +59,8 @@ class SceneBuilder {
     std::uint32_t add(const Material& material, std::string_view name, const SourceSpan& place);
     std::uint32_t add(const Texture& texture, const SourceSpan& place);
     void add(const Camera& camera);
+    /// The index of the texture that is the colours of vertices; one serves all materials.
+    std::uint32_t vertex_colors(const SourceSpan& place);
 
   private:
     /// A transform and defaults that act on what refers to it, within the transforms of its parent.
@@ -97,6 +99,7 @@ class SceneBuilder {
 
     Meter& meter_;
     Report& report_;
+    std::uint32_t vertex_colors_ = none;
     std::unordered_map<std::string, std::uint32_t> names_;
     std::vector<Node> nodes_;            ///< of the outermost open group; parents come first
     std::vector<std::uint32_t> groups_;  ///< open ones, as nodes

@@ -34,6 +34,7 @@ struct View {
     int height = 480;
     std::optional<Crop> crop;  ///< only these pixels; the result has the crop's size
     bool aov = false;          ///< also object id, depth, normal and shadow, see render()
+    bool alpha = false;        ///< a fourth channel, see render()
 };
 
 /// A place of the image plane in pixels of the whole picture: (0.5, 0.5) is the centre of the
@@ -73,8 +74,11 @@ class Renderer {
 
     /// The picture in linear light, the same bytes for any number of threads. With `view.aov` it
     /// has the extra channels object.id, depth.Z, normal.X, normal.Y, normal.Z, shadow.Y (share of
-    /// the lights that do not reach the point), taken by the ray through the pixel's centre. Throws
-    /// SceneError when light leaves the number type's range.
+    /// the lights that do not reach the point), taken by the ray through the pixel's centre. With
+    /// `view.alpha` it has alpha: what rays bring that hit nothing is left out of the colours, and
+    /// alpha is 1 less the share that it had, the mean of the channels. Light that glass passes or
+    /// bends counts, mirrors stay as they are. Throws SceneError when light leaves the number
+    /// type's range.
     virtual Image render(const View& view, const Progress& progress, RayCounts& counts) const = 0;
 
     /// One ray through each of the points: colors[i] is the light, linear, that points[i] brings,

@@ -39,7 +39,7 @@ class RendererOf final : public RayTreeRenderer {
 
     Image render(const View& view, const Progress& progress, RayCounts& counts) const override {
         const Crop crop = view.crop.value_or(Crop{0, 0, view.width, view.height});
-        Image image(crop.width, crop.height, view.aov ? 3 + aov_channels : 3);
+        Image image(crop.width, crop.height, color_channels(view) + (view.aov ? aov_channels : 0));
         if (view.aov)
             image.extra_names = {"object.id", "depth.Z",  "normal.X",
                                  "normal.Y",  "normal.Z", "shadow.Y"};
@@ -52,7 +52,7 @@ class RendererOf final : public RayTreeRenderer {
         std::int64_t overflow = nowhere;
         counts = {};
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
-            with_fastest_tracer(limits(), camera_frame, [&](auto& tracer) {
+            const auto work = [&](auto& tracer) {
                 std::int64_t own_overflow = nowhere;
                 for (int index = 0; next_task(index);) {
                     const int left = order[index] % across * tile_size;
@@ -65,7 +65,12 @@ class RendererOf final : public RayTreeRenderer {
                 const std::lock_guard lock(merging);
                 counts += tracer.counts();
                 overflow = std::min(overflow, own_overflow);
-            });
+            };
+            // Rays side by side bring colours alone.
+            if (view.alpha)
+                with_tracer(limits(), work);
+            else
+                with_fastest_tracer(limits(), camera_frame, work);
         });
         if (overflow != nowhere) refuse_overflow(overflow % crop.width, overflow / crop.width);
         return image;
@@ -163,6 +168,7 @@ class RendererOf final : public RayTreeRenderer {
 
   private:
     static constexpr int aov_channels = 6;
+    static int color_channels(const View& view) { return view.alpha ? 4 : 3; }
     /// Rays go side by side in double alone.
     static constexpr bool has_wide = std::is_same_v<Real, double>;
 
@@ -252,6 +258,14 @@ class RendererOf final : public RayTreeRenderer {
         return color;
     }
 
+    /// Takes the light that the samples bring, and the shares of what is behind everything in it.
+    static void put_with_alpha(double* pixel, const Vec3<Real>& light, const Vec3<Real>& behind) {
+        const Real share = (behind.x + behind.y + behind.z) / 3;
+        const Real alpha = share < 1 ? 1 - share : Real(0);
+        put_mean(pixel, alpha > 0 ? light / alpha : Vec3<Real>(0));
+        pixel[3] = static_cast<double>(alpha);
+    }
+
     /// A tile of the image, which holds the crop of the picture.
     template <class Tracer>
     void fill(Image& image, const Crop& tile, Tracer& tracer, const CameraFrame<Real>& camera_frame,
@@ -260,13 +274,24 @@ class RendererOf final : public RayTreeRenderer {
         for (int y = tile.y; y < tile.y + tile.height; ++y) {
             for (int x = tile.x; x < tile.x + tile.width; ++x) {
                 Vec3<Real> sum(0);
+                Vec3<Real> behind(0);
                 for_each_sample<Real>(
                     world_->settings, crop.x + x, crop.y + y, [&](Real at_x, Real at_y) {
+                        Vec3<Real> share(0);
+                        if constexpr (requires { tracer.seen_through; })
+                            tracer.seen_through = view.alpha ? &share : nullptr;
                         sum += sample(tracer, camera_frame, view, at_x, at_y, nullptr);
+                        behind += share;
                     });
-                put_mean(image.pixel(x, y), n == 1 ? sum : sum / static_cast<Real>(n * n));
+                const Real count = n == 1 ? Real(1) : static_cast<Real>(n * n);
+                double* pixel = image.pixel(x, y);
+                if (view.alpha)
+                    put_with_alpha(pixel, sum / count, behind / count);
+                else
+                    put_mean(pixel, n == 1 ? sum : sum / count);
                 if (view.aov)
-                    fill_aov(image.pixel(x, y) + 3, camera_frame, view, crop.x + x, crop.y + y);
+                    fill_aov(pixel + color_channels(view), camera_frame, view, crop.x + x,
+                             crop.y + y);
             }
         }
     }

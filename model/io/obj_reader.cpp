@@ -40,13 +40,14 @@ class ObjReader {
         }
         if (soup_.normal_corners.empty()) soup_.normals.clear();
         if (soup_.uv_corners.empty()) soup_.uvs.clear();
+        if (!soup_.colors.empty()) soup_.colors.resize(soup_.vertices.size(), Vec3d(1.0));
         return std::move(soup_);
     }
 
   private:
     void statement(std::string_view keyword) {
         if (keyword == "v") {
-            soup_.vertices.push_back(vector("a coordinate", soup_.vertices, soup_.bad_vertices));
+            vertex();
         } else if (keyword == "vn") {
             soup_.normals.push_back(
                 vector("a component of the normal", soup_.normals, soup_.bad_normals));
@@ -77,13 +78,40 @@ class ObjReader {
                         scanner_.error(fmt::format("{} is not finite", what)).what());
     }
 
-    /// Weights and colours may follow in the same line; they are checked to be numbers all the
-    /// same.
+    /// Three numbers more are a colour, in linear light as they stand; one more is a weight.
+    /// Vertices without a colour beside others with one are white.
+    void vertex() {
+        const Vec3d place = coordinates("a coordinate", soup_.vertices, soup_.bad_vertices);
+        std::array<double, 3> more{};
+        std::size_t count = 0;
+        for (; !scanner_.at_line_end(); ++count) {
+            const double number = scanner_.any_number("a number");
+            if (count < more.size()) more[count] = number;
+        }
+        if (count == 3) {
+            const Vec3d color(more[0], more[1], more[2]);
+            const bool is_light = is_finite(color) && color.x >= 0 && color.y >= 0 && color.z >= 0;
+            soup_.colors.resize(soup_.vertices.size(), Vec3d(1.0));
+            if (!is_light)
+                soup_.bad_colors.emplace(
+                    static_cast<std::uint32_t>(soup_.colors.size()),
+                    scanner_.error("the colour of this vertex is negative or not finite").what());
+            soup_.colors.push_back(color);
+        }
+        soup_.vertices.push_back(place);
+    }
+
+    /// More may follow in the same line; it is checked to be numbers all the same.
     Vec3d vector(const char* what, const std::vector<Vec3d>& list, Bad& bad) {
+        const Vec3d read = coordinates(what, list, bad);
+        while (!scanner_.at_line_end()) scanner_.any_number("a number");
+        return read;
+    }
+
+    Vec3d coordinates(const char* what, const std::vector<Vec3d>& list, Bad& bad) {
         const double x = scanner_.any_number(what);
         const double y = scanner_.any_number(what);
         const double z = scanner_.any_number(what);
-        while (!scanner_.at_line_end()) scanner_.any_number("a number");
         const Vec3d read(x, y, z);
         note_bad(is_finite(read), what, list.size(), bad);
         return read;

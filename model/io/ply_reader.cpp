@@ -8,6 +8,7 @@
 #include "model/io/byte_reader.h"
 #include "model/io/ply_header.h"
 #include "model/io/text_scanner.h"
+#include "model/srgb.h"
 
 namespace lancer::io {
 namespace {
@@ -86,11 +87,11 @@ class BinaryData {
 };
 
 /// Where a property of a vertex goes.
-enum class Target { skipped, x, y, z, nx, ny, nz, u, v };
-constexpr std::size_t target_count = 9;
+enum class Target { skipped, x, y, z, nx, ny, nz, u, v, red, green, blue };
+constexpr std::size_t target_count = 12;
 
 Target target_of(const PlyProperty& property) {
-    constexpr std::array<std::pair<std::string_view, Target>, 14> names{{
+    constexpr std::array<std::pair<std::string_view, Target>, 20> names{{
         {"x", Target::x},
         {"y", Target::y},
         {"z", Target::z},
@@ -105,12 +106,26 @@ Target target_of(const PlyProperty& property) {
         {"texture_v", Target::v},
         {"texture_s", Target::u},
         {"texture_t", Target::v},
+        {"red", Target::red},
+        {"green", Target::green},
+        {"blue", Target::blue},
+        {"diffuse_red", Target::red},
+        {"diffuse_green", Target::green},
+        {"diffuse_blue", Target::blue},
     }};
     if (property.is_list) return Target::skipped;
     for (const auto& [name, target] : names) {
         if (property.name == name) return target;
     }
     return Target::skipped;
+}
+
+/// Linear light of a part of a colour: whole numbers are the steps of an sRGB picture, others light
+/// as they stand.
+double light_of(double value, PlyType type) {
+    if (type == PlyType::uint8) return srgb_decode(value / 255);
+    if (type == PlyType::uint16) return srgb_decode(value / 65535);
+    return value;
 }
 
 template <class Data>
@@ -172,10 +187,12 @@ class PlyReader {
         }
         const bool normals = has(Target::nx) && has(Target::ny) && has(Target::nz);
         const bool uvs = has(Target::u) && has(Target::v);
+        const bool colors = has(Target::red) && has(Target::green) && has(Target::blue);
         // A part of a normal is none: its numbers are passed over, and need not be finite.
         for (Target& target : targets) {
             if ((!normals && target >= Target::nx && target <= Target::nz) ||
-                (!uvs && target >= Target::u))
+                (!uvs && (target == Target::u || target == Target::v)) ||
+                (!colors && target >= Target::red))
                 target = Target::skipped;
         }
         soup_.vertices.reserve(element.count);
@@ -186,8 +203,10 @@ class PlyReader {
                 if (targets[k] == Target::skipped) {
                     skip(property);
                 } else {
-                    const double value = data_.number(property.type);
-                    if (!std::isfinite(value)) note_bad(property.name, targets[k], i);
+                    double value = data_.number(property.type);
+                    if (targets[k] >= Target::red) value = light_of(value, property.type);
+                    if (!std::isfinite(value) || (targets[k] >= Target::red && value < 0))
+                        note_bad(property.name, targets[k], i);
                     values[static_cast<std::size_t>(targets[k])] = value;
                 }
             }
@@ -199,17 +218,24 @@ class PlyReader {
                 soup_.normals.emplace_back(value(Target::nx), value(Target::ny), value(Target::nz));
             }
             if (uvs) soup_.uvs.emplace_back(value(Target::u), value(Target::v));
+            if (colors) {
+                soup_.colors.emplace_back(value(Target::red), value(Target::green),
+                                          value(Target::blue));
+            }
         }
     }
 
     /// An error where a face uses the vertex.
     void note_bad(const std::string& property, Target target, std::uint64_t vertex) {
-        auto& bad = target < Target::nx  ? soup_.bad_vertices
-                    : target < Target::u ? soup_.bad_normals
-                                         : soup_.bad_uvs;
+        auto& bad = target < Target::nx    ? soup_.bad_vertices
+                    : target < Target::u   ? soup_.bad_normals
+                    : target < Target::red ? soup_.bad_uvs
+                                           : soup_.bad_colors;
+        const std::string_view wrong =
+            target < Target::red ? "not finite" : "negative or not finite";
         bad.emplace(
             static_cast<std::uint32_t>(vertex),
-            data_.error(fmt::format("'{}' of vertex {} is not finite", quotable(property), vertex))
+            data_.error(fmt::format("'{}' of vertex {} is {}", quotable(property), vertex, wrong))
                 .what());
     }
 

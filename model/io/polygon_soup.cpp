@@ -38,10 +38,16 @@ class Builder {
             soup_.vertices[index] = soup_.vertices[soup_.corners.front()];
         for (const auto& [index, problem] : soup_.bad_normals) soup_.normals[index] = Vec3d(0.0);
         for (const auto& [index, problem] : soup_.bad_uvs) soup_.uvs[index] = Vec2d(0.0);
+        for (const auto& [index, problem] : soup_.bad_colors) soup_.colors[index] = Vec3d(0.0);
+        if (!bad_color_.empty()) {
+            loaded_.warnings.push_back(bad_color_ + ": the mesh is read without colours");
+            soup_.colors.clear();
+        }
         Mesh& mesh = loaded_.mesh;
         mesh.vertices = std::move(soup_.vertices);
         mesh.normals = std::move(soup_.normals);
         mesh.uvs = std::move(soup_.uvs);
+        mesh.colors = std::move(soup_.colors);
         simplify(mesh.normals, mesh.normal_faces);
         simplify(mesh.uvs, mesh.uv_faces);
         number_materials();
@@ -69,6 +75,7 @@ class Builder {
         check(face, begin, end, soup_.normal_corners, soup_.normals.size(), "normal");
         check(face, begin, end, soup_.uv_corners, soup_.uvs.size(), "texture vertex");
         refuse_bad(begin, end, soup_.corners, soup_.bad_vertices);
+        note_bad_color(begin, end);
         const bool own_normals = !soup_.normal_corners.empty();
         refuse_bad(begin, end, own_normals ? soup_.normal_corners : soup_.corners,
                    soup_.bad_normals);
@@ -130,6 +137,15 @@ class Builder {
             if (const auto at = bad.find(indices[i]); at != bad.end()) throw FileError(at->second);
     }
 
+    /// Colours are seldom shown, so a wrong one is no error.
+    void note_bad_color(std::size_t begin, std::size_t end) {
+        if (soup_.bad_colors.empty() || !bad_color_.empty()) return;
+        for (std::size_t i = begin; i < end; ++i)
+            if (const auto at = soup_.bad_colors.find(soup_.corners[i]);
+                at != soup_.bad_colors.end())
+                bad_color_ = at->second;
+    }
+
     void append(const std::vector<std::uint32_t>& indices, std::size_t begin,
                 std::vector<Mesh::Corners>& faces) const {
         if (indices.empty()) return;
@@ -161,6 +177,7 @@ class Builder {
     PolygonSoup& soup_;
     const std::string& name_;
     LoadedMesh loaded_;
+    std::string bad_color_;  ///< what is wrong with the first that a face uses
     std::vector<Mesh::Corners> triangles_;
 };
 

@@ -16,6 +16,7 @@ struct PolygonSoup {
     std::vector<Vec3d> vertices;
     std::vector<Vec3d> normals;
     std::vector<Vec2d> uvs;
+    std::vector<Vec3d> colors;  ///< of the vertices, linear light; empty, or one for each
 
     /// One entry per corner, face after face. `normal_corners` and `uv_corners` may be empty: then
     /// normals (uvs), if there are any, belong to the vertices one by one.
@@ -35,9 +36,10 @@ struct PolygonSoup {
 
     /// What the format counts its first vertex as: messages count as the file does.
     std::uint32_t first_index = 0;
-    /// Vertices, normals and uvs with a number that is not finite, with what to say of the first
-    /// face that uses one. What no face uses does not matter.
-    std::map<std::uint32_t, std::string> bad_vertices, bad_normals, bad_uvs;
+    /// Vertices, normals, uvs and colours with a number that is not finite, or of a colour
+    /// negative, with what to say of the first face that uses one. What no face uses does not
+    /// matter.
+    std::map<std::uint32_t, std::string> bad_vertices, bad_normals, bad_uvs, bad_colors;
     std::vector<std::string> warnings;
 };
 

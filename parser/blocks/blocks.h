@@ -14,6 +14,10 @@ void make_image(BlockReader& block, std::uint32_t& result);
 void make_render(BlockReader& block, std::uint32_t& result);
 void make_camera(BlockReader& block, std::uint32_t& result);
 
+// sky.cpp
+extern const BlockInfo sky;
+void make_sky(BlockReader& block, std::uint32_t& result);
+
 // lights.cpp
 extern const BlockInfo point_light, directional_light, spot_light;
 void make_point_light(BlockReader& block, std::uint32_t& result);
@@ -21,11 +25,12 @@ void make_directional_light(BlockReader& block, std::uint32_t& result);
 void make_spot_light(BlockReader& block, std::uint32_t& result);
 
 // solids.cpp
-extern const BlockInfo sphere, box, cylinder, cone, plane, triangle;
+extern const BlockInfo sphere, box, cylinder, cone, torus, plane, triangle;
 void make_sphere(BlockReader& block, std::uint32_t& result);
 void make_box(BlockReader& block, std::uint32_t& result);
 void make_cylinder(BlockReader& block, std::uint32_t& result);
 void make_cone(BlockReader& block, std::uint32_t& result);
+void make_torus(BlockReader& block, std::uint32_t& result);
 void make_plane(BlockReader& block, std::uint32_t& result);
 void make_triangle(BlockReader& block, std::uint32_t& result);
 
@@ -62,6 +67,8 @@ template <>
 inline constexpr const BlockInfo* block_of<Cylinder> = &cylinder;
 template <>
 inline constexpr const BlockInfo* block_of<Cone> = &cone;
+template <>
+inline constexpr const BlockInfo* block_of<Torus> = &torus;
 template <>
 inline constexpr const BlockInfo* block_of<Plane> = &plane;
 template <>

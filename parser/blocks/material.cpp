@@ -18,7 +18,7 @@ constexpr Field of_material(std::string_view name, std::string_view standard,
             Rule::takes,
             standard,
             doc,
-            {},
+            words_of<Rule>(),
             false,
             [](const Value& value, void* owner, std::string& instead) {
                 return Rule::read(value, static_cast<MaterialSpec*>(owner)->*Member, instead);
@@ -27,7 +27,8 @@ constexpr Field of_material(std::string_view name, std::string_view standard,
 
 constexpr Field material_fields[] = {
     of_material<&MaterialSpec::surface, rules::ColorOrTextureRule>(
-        "color", "[1, 1, 1]", "the surface's colour, or a texture"),
+        "color", "[1, 1, 1]",
+        "the surface's colour, a texture, or vertex: the colours of a mesh's vertices"),
     of_material<&Material::ambient, rules::NotNegative>("ambient", "0.1",
                                                         "share of the global ambient light"),
     of_material<&Material::diffuse, rules::NotNegative>("diffuse", "0.6",
@@ -81,6 +82,7 @@ void make_material(BlockReader& block, std::uint32_t& result) {
     Material made = spec;
     made.color = spec.surface.color;
     made.texture = spec.surface.texture;
+    if (spec.surface.of_vertices) made.texture = block.builder().vertex_colors(block.place());
     result = block.builder().add(made, block.name(), block.place());
 }
 

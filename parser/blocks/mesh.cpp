@@ -42,6 +42,7 @@ struct MeshSpec {
     std::vector<std::vector<std::uint32_t>> faces;
     std::vector<Vec3d> normals;
     std::vector<Vec2d> uvs;
+    std::vector<Vec3d> colors;
     Smoothing smooth;
 };
 
@@ -53,6 +54,8 @@ constexpr Field mesh_fields[] = {
     field<&MeshSpec::normals, rules::Points>("normals", "averages of the faces",
                                              "a normal for each vertex"),
     field<&MeshSpec::uvs, rules::PlanePoints>("uvs", "none", "texture coordinates of each vertex"),
+    field<&MeshSpec::colors, rules::Colors>("colors", "none",
+                                            "a colour for each vertex, for 'color vertex'"),
     field<&MeshSpec::smooth, rules::FlagOrAngle>("smooth", "true; of STL 40",
                                                  "false: flat faces; an angle: edges sharper than "
                                                  "that stay sharp where no normals are given"),
@@ -77,6 +80,7 @@ void check_counts(BlockReader& block, const MeshSpec& spec) {
     };
     one_each("normals", spec.normals.size());
     one_each("uvs", spec.uvs.size());
+    one_each("colors", spec.colors.size());
     for (std::size_t i = 0; i < spec.faces.size(); ++i) {
         for (const std::uint32_t corner : spec.faces[i]) {
             if (corner < spec.vertices.size()) continue;
@@ -98,6 +102,7 @@ void add_inline(BlockReader& block, MeshSpec& spec, const Attributes& attributes
     mesh->vertices = std::move(spec.vertices);
     mesh->normals = std::move(spec.normals);
     mesh->uvs = std::move(spec.uvs);
+    mesh->colors = std::move(spec.colors);
     std::uint64_t degenerate = 0;
     std::vector<Mesh::Corners> triangles;
     for (const auto& face : spec.faces) {
@@ -146,8 +151,8 @@ void make_mesh(BlockReader& block, std::uint32_t&) {
     MeshSpec spec;
     Attributes attributes;
     block.read(&spec, &attributes);
-    const bool in_place =
-        block.has("vertices") || block.has("faces") || block.has("normals") || block.has("uvs");
+    const bool in_place = block.has("vertices") || block.has("faces") || block.has("normals") ||
+                          block.has("uvs") || block.has("colors");
     if (block.has("file") == in_place ||
         (in_place && !(block.has("vertices") && block.has("faces")))) {
         if (block.good()) block.error(Message::mesh_two_ways, block.place());

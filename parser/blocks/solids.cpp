@@ -1,4 +1,4 @@
-// sphere, box, cylinder, cone, plane, triangle.
+// sphere, box, cylinder, cone, torus, plane, triangle.
 #include "model/shapes.h"
 #include "parser/blocks/attributes.h"
 #include "parser/blocks/blocks.h"
@@ -33,6 +33,12 @@ constexpr Field cone_fields[] = {
     field<&Cone::top_radius, rules::NotNegative>("top_radius", "0", "radius at the top"),
     field<&Cone::capped, rules::Flag>("capped", "true", "false: the mantle alone"),
 };
+constexpr Field torus_fields[] = {
+    field<&Torus::radius, rules::Positive>("radius", required,
+                                           "of the circle that runs in the tube's middle"),
+    field<&Torus::tube, rules::Positive>("tube", required,
+                                         "radius of the tube, at most that of the circle"),
+};
 constexpr Field plane_fields[] = {
     field<&Plane::normal, rules::Direction>("normal", required,
                                             "perpendicular to it, away from its inside"),
@@ -58,6 +64,8 @@ const BlockInfo sphere{"sphere", "", sphere_fields, attribute_fields, "a ball"};
 const BlockInfo box{"box", "", box_fields, attribute_fields, "a box along the axes"};
 const BlockInfo cylinder{"cylinder", "", cylinder_fields, attribute_fields, "a round cylinder"};
 const BlockInfo cone{"cone", "", cone_fields, attribute_fields, "a cone, pointed or truncated"};
+const BlockInfo torus{"torus", "", torus_fields, attribute_fields,
+                      "a ring: a tube bent round the y axis"};
 const BlockInfo plane{"plane", "", plane_fields, attribute_fields,
                       "the points p with normal.p = offset |normal|"};
 const BlockInfo triangle{"triangle", "", triangle_fields, attribute_fields, "one triangle"};
@@ -98,6 +106,18 @@ void make_cone(BlockReader& block, std::uint32_t&) {
     if (made.base_radius == 0 && made.top_radius == 0)
         block.error(Message::cone_without_radius, block.place("base_radius"));
     if (block.good()) block.builder().add(made, attributes, block.place());
+}
+
+void make_torus(BlockReader& block, std::uint32_t&) {
+    Torus made;
+    Attributes attributes;
+    if (!block.read(&made, &attributes)) return;
+    if (made.tube > made.radius) {
+        block.error(Message::torus_crosses, block.place("tube"), to_text(made.tube),
+                    to_text(made.radius));
+        return;
+    }
+    block.builder().add(made, attributes, block.place());
 }
 
 void make_plane(BlockReader& block, std::uint32_t&) {

@@ -1,7 +1,6 @@
 #include "model/scene.h"
 #include "parser/blocks/blocks.h"
-#include "parser/blocks/brightness.h"
-#include "parser/rules.h"
+#include "parser/blocks/stops.h"
 
 namespace lancer {
 namespace rules {
@@ -41,21 +40,6 @@ struct TwoColors {
         return value.is_list() && value.size() == 2 &&
                ColorRule::read(value.at(0), out.even, instead) &&
                ColorRule::read(value.at(1), out.odd, instead);
-    }
-};
-
-struct Stops {
-    static constexpr std::string_view takes = "a list of stops, each [number, colour], one or more";
-    static bool read(const Value& value, std::vector<Gradient::Stop>& out, std::string& instead) {
-        return read_list(value, out, instead,
-                         [&](const Value& stop, Gradient::Stop& to) {
-                             std::string ignored;
-                             if (!stop.is_list() || stop.size() != 2 || !stop.at(0).is_number())
-                                 return false;
-                             to.at = stop.at(0).number();
-                             return ColorRule::read(stop.at(1), to.color, ignored);
-                         }) &&
-               !out.empty();
     }
 };
 
@@ -147,10 +131,7 @@ void make_texture(BlockReader& block, std::uint32_t& result) {
     if (patterns != 1 && block.good()) block.error(Message::texture_patterns, block.place());
     if (block.has("gradient") && !block.has("stops") && block.good())
         block.error(Message::stops_missing, block.place("gradient"));
-    for (std::size_t i = 1; i < spec.stops.size() && block.good(); ++i)
-        if (spec.stops[i].at < spec.stops[i - 1].at)
-            block.error(Message::stops_order, block.place("stops"), to_text(spec.stops[i].at),
-                        to_text(spec.stops[i - 1].at));
+    check_order(block, spec.stops);
     if (!block.good()) return;
     Texture made;
     if (spec.transforms.given && (is_singular(spec.transforms.map) ||

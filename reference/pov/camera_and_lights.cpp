@@ -8,6 +8,29 @@
 
 namespace lancer::reference::pov {
 
+namespace {
+
+/// POV-Ray's gradient runs from 0 to 1 along its axis, where a direction's coordinate runs from -1
+/// to 1. It is laid between a quarter and three quarters, where nothing repeats.
+void write_sky(Writer& writer, const Gradient& sky) {
+    if (sky.stops.size() > 256)
+        writer.refuse({}, "POV-Ray's colour maps hold at most 256 stops, and the sky has more");
+    Text& text = writer.text;
+    const Vec3d axis = normalize(sky.axis / max_component(absolute(sky.axis)));
+    text.open("sky_sphere {");
+    text.open("pigment {");
+    text.line("gradient " + vector(axis));
+    text.open("color_map {");
+    for (const Gradient::Stop& stop : sky.stops)
+        text.line("[" + number((stop.at + 2) / 4) + " " + rgb(writer.lit(stop.color)) + "]");
+    text.close();
+    text.line("scale 4 translate " + vector(-2.0 * axis));
+    text.close();
+    text.close();
+}
+
+}  // namespace
+
 void write_global_settings(Writer& writer) {
     const Scene& scene = writer.scene;
     Text& text = writer.text;
@@ -19,6 +42,7 @@ void write_global_settings(Writer& writer) {
     text.line("ambient_light " + rgb(writer.lit(scene.ambient)));
     text.close();
     text.line("background { " + rgb(writer.lit(scene.background)) + " }");
+    if (scene.sky) write_sky(writer, *scene.sky);
 }
 
 void write_camera(Writer& writer) {

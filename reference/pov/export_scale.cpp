@@ -71,6 +71,13 @@ struct OwnBounds {
         add_ball(b, s.top, s.top_radius);
         return b;
     }
+    Bounds operator()(const Torus& s) const {
+        const Vec3d reach(s.radius + s.tube, s.tube, s.radius + s.tube);
+        Bounds b;
+        b.add(-reach);
+        b.add(reach);
+        return b;
+    }
     Bounds operator()(const Plane&) const { return {}; }
     Bounds operator()(const Triangle& s) const {
         Bounds b;

@@ -200,6 +200,7 @@ struct FaceFinder {
         out.push_back({object, FlatFace{n, dot(n, map_point(to_world, own * s.offset)), {}}});
     }
     void operator()(const PatchRef&) const {}  // flat in no way that would be known here
+    void operator()(const Torus&) const {}     // nor this
 };
 
 /// Whether a direction across one of `a`'s edges parts two faces of one plane, or leaves them an

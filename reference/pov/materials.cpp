@@ -26,7 +26,13 @@ bool lets_light_pass(const Scene& scene, const Material& material) {
 bool depends_on_shape(const Scene& scene, const Material& material) {
     const Texture* texture = texture_of(scene, material);
     const auto* image = texture ? std::get_if<ImageTexture>(&texture->pattern) : nullptr;
+    if (texture != nullptr && std::holds_alternative<VertexColors>(texture->pattern)) return true;
     return image && image->mapping == ImageTexture::Mapping::uv;
+}
+
+bool is_of_vertices(const Scene& scene, const Material& material) {
+    const Texture* texture = texture_of(scene, material);
+    return texture != nullptr && std::holds_alternative<VertexColors>(texture->pattern);
 }
 
 namespace {
@@ -108,7 +114,21 @@ void declare_textures(Writer& writer) {
     }
 }
 
+void write_vertex_textures(Writer& writer, const Material& material,
+                           const std::vector<Color>& colors) {
+    writer.text.open(fmt::format("texture_list {{ {},", colors.size()));
+    for (const Color& color : colors) {
+        writer.text.open("texture {");
+        writer.text.line(plain_pigment(color, material));
+        write_finish(writer, material);
+        writer.text.close();
+    }
+    writer.text.close();
+}
+
 void write_texture(Writer& writer, const Object& object, PowerOfTen own, const std::string& moved) {
+    if (is_of_vertices(writer.scene, writer.scene.materials[object.material]))
+        return;  // the mesh's
     const auto declared = writer.texture_names.find(texture_key(writer, object, own));
     if (declared != writer.texture_names.end()) {
         writer.text.line("texture { " + declared->second + (moved.empty() ? "" : " " + moved) +

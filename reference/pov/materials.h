@@ -13,6 +13,13 @@ bool lets_light_pass(const Scene& scene, const Material& material);
 /// Whether the pattern depends on the shape that shows it, so that no declared texture can serve.
 bool depends_on_shape(const Scene& scene, const Material& material);
 
+/// Whether a mesh shows the colours of its vertices.
+bool is_of_vertices(const Scene& scene, const Material& material);
+
+/// `texture_list { … }` of a mesh: the material in each of these colours.
+void write_vertex_textures(Writer& writer, const Material& material,
+                           const std::vector<Color>& colors);
+
 /// The image texture that the material shows, or null: none, or textures are switched off.
 const Texture* texture_of(const Scene& scene, const Material& material);
 

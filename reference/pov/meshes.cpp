@@ -32,7 +32,8 @@ std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
 /// A mesh2 in the making: lists of lines, each with its count.
 struct Mesh2 {
     std::vector<std::string> vertices, normals, uvs, faces, normal_indices, uv_indices;
-    Affine<double> place;  ///< to be applied to the vertices
+    std::vector<Color> colors;  ///< each once; faces name them
+    Affine<double> place;       ///< to be applied to the vertices
 
     static std::string corners(const Mesh::Corners& c) {
         return fmt::format("<{},{},{}>", c[0], c[1], c[2]);
@@ -43,10 +44,13 @@ struct Mesh2 {
         text.list(items);
         text.close();
     }
-    void write(Text& text, bool closed) const {
+    /// \param material  that of the colours, or null
+    void write(Writer& writer, bool closed, const Material* material) const {
+        Text& text = writer.text;
         list(text, "vertex_vectors", vertices);
         list(text, "normal_vectors", normals);
         list(text, "uv_vectors", uvs);
+        if (material != nullptr) write_vertex_textures(writer, *material, colors);
         list(text, "face_indices", faces);
         list(text, "uv_indices", uv_indices);
         list(text, "normal_indices", normal_indices);
@@ -85,6 +89,22 @@ void add_uvs(Mesh2& out, const Mesh& mesh) {
     for (const Vec2d& uv : mesh.uvs) out.uvs.push_back(mesh_vector(uv));
     for (const Mesh::Corners& face : mesh.uv_faces.empty() ? mesh.faces : mesh.uv_faces)
         out.uv_indices.push_back(Mesh2::corners(face));
+}
+
+/// Names the colours of each face's corners. POV-Ray lights the whole face in each of the three and
+/// takes the mean of what comes out, by the same weights.
+void add_colors(Mesh2& out, const Mesh& mesh) {
+    std::map<std::array<double, 3>, std::size_t> numbers;
+    std::vector<std::size_t> of_vertex;
+    for (const Color& color : mesh.colors) {
+        const auto [at, is_new] =
+            numbers.try_emplace({color.x, color.y, color.z}, out.colors.size());
+        if (is_new) out.colors.push_back(color);
+        of_vertex.push_back(at->second);
+    }
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        for (const std::uint32_t corner : mesh.faces[f])
+            out.faces[f] += fmt::format(",{}", of_vertex[corner]);
 }
 
 /// Where a mesh stands, in steps of about its size, so that subtracting it loses nothing: single
@@ -167,12 +187,15 @@ std::vector<Mesh> pieces_of(const Mesh& mesh) {
 /// near its own origin, it does not. Pieces have no inside, so what light enters is one.
 bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) {
     return !writer.in_composite && mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh) &&
+           !is_of_vertices(writer.scene, writer.scene.materials[object.material]) &&
            !lets_light_pass(writer.scene, writer.scene.materials[object.material]);
 }
 
 MeshKey mesh_key(const Writer& writer, const Object& object, const MeshRef& shape, PowerOfTen own) {
+    const bool colored = is_of_vertices(writer.scene, writer.scene.materials[object.material]);
     return {shape.mesh, own.exponent, shape.smooth && writer.scene.settings.smooth,
-            is_in_pieces(writer, object, *writer.scene.meshes[shape.mesh])};
+            is_in_pieces(writer, object, *writer.scene.meshes[shape.mesh]),
+            colored ? object.material : none};
 }
 
 }  // namespace
@@ -196,11 +219,17 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     writer.text.open(fmt::format("#declare {} = {} {{  // {} vertices, {} faces", name,
                                  in_pieces ? "union" : "mesh2", mesh.vertices.size(),
                                  mesh.faces.size()));
-    if (!in_pieces) convert(mesh, smooth, own).write(writer.text, is_closed(mesh));
+    const std::uint32_t material = std::get<4>(key);
+    if (!in_pieces) {
+        Mesh2 whole = convert(mesh, smooth, own);
+        if (material != none) add_colors(whole, mesh);
+        whole.write(writer, is_closed(mesh),
+                    material != none ? &writer.scene.materials[material] : nullptr);
+    }
     if (in_pieces)
         for (const Mesh& piece : pieces_of(mesh)) {
             writer.text.open("mesh2 {");
-            convert(piece, smooth, own).write(writer.text, false);
+            convert(piece, smooth, own).write(writer, false, nullptr);
             writer.text.close();
         }
     writer.text.close();
@@ -234,7 +263,7 @@ bool open_triangle(Writer& writer, const Object& object, const Triangle& shape, 
     if (smooth) mesh.normals.assign(attributes->normals->begin(), attributes->normals->end());
     if (mapped) mesh.uvs.assign(attributes->uvs->begin(), attributes->uvs->end());
     writer.text.open("mesh2 {");
-    convert(mesh, smooth, own).write(writer.text, is_closed(mesh));
+    convert(mesh, smooth, own).write(writer, is_closed(mesh), nullptr);
     return true;
 }
 

@@ -51,6 +51,8 @@ struct PatternWriter {
         end();
     }
 
+    void operator()(const VertexColors&) const {}  // write_vertex_textures()
+
     void operator()(const ImageTexture& image) const {
         const SourceSpan where = object.place;
         if (image.mapping == ImageTexture::Mapping::uv) {
@@ -94,11 +96,14 @@ std::string image_map(Writer& writer, const Material& material, const ImageTextu
     return out + " }";
 }
 
+std::string plain_pigment(const Color& color, const Material& material) {
+    return "pigment { " + pigment_color(color, material) + " }";
+}
+
 void write_pigment(Writer& writer, const Material& material, const Object& object, PowerOfTen own) {
     const Texture* texture = texture_of(writer.scene, material);
     if (!texture) {
-        writer.text.line("pigment { " +
-                         pigment_color(plain_color(writer.scene, material), material) + " }");
+        writer.text.line(plain_pigment(plain_color(writer.scene, material), material));
         return;
     }
     std::visit(PatternWriter{writer, material, object, own, texture->to_object}, texture->pattern);

@@ -9,6 +9,9 @@ namespace lancer::reference::pov {
 /// of it than its place. `own` scales the object's own space.
 void write_pigment(Writer& writer, const Material& material, const Object& object, PowerOfTen own);
 
+/// `pigment { … }` of one colour, through which passes what passes through the material.
+std::string plain_pigment(const Color& color, const Material& material);
+
 /// A texture's own transforms in an object's space scaled by `own`, as words of a pigment.
 std::string pattern_transform(const Affine<double>& to_object, PowerOfTen own);
 

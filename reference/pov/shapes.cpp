@@ -38,6 +38,10 @@ struct ShapeOpener {
                     vector(own(s.top)) + ", " + number(own(s.top_radius)) +
                     (s.capped ? "" : " open"));
     }
+    /// By Sturm's method: the other one misses roots of the equation of the fourth degree.
+    bool operator()(const Torus& s) const {
+        return open("torus { " + number(own(s.radius)) + ", " + number(own(s.tube)) + " sturm");
+    }
     bool operator()(const Plane& s) const {
         return open("plane { " + vector(s.normal) + ", " + number(own(s.offset)));
     }

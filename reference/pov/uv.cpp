@@ -66,6 +66,14 @@ struct UvWriter {
 
     void operator()(const CompositeRef&) const {}  // its leaves have textures
     void operator()(const Sphere&) const { native(); }
+    /// POV-Ray's u runs the other way round than on its spheres and lathes.
+    void operator()(const Torus&) const {
+        writer.text.open("pigment {");
+        line("uv_mapping " + picture());
+        line(transform(to_object));
+        line("scale <-1, 1, 1> translate <1, 0, 0>");
+        writer.text.close();
+    }
     void operator()(const Plane&) const { planar(); }
     void operator()(const Triangle& shape) const {
         const bool mapped = shape.attributes != none &&

@@ -13,8 +13,8 @@ namespace lancer::reference::pov {
 
 using TextureKey =
     std::pair<std::uint32_t, int>;  ///< material; size against the scene's, in decades
-using MeshKey =
-    std::tuple<std::uint32_t, int, bool, bool>;  ///< mesh, space, whether smooth, whether in pieces
+/// Mesh, space, whether smooth, whether in pieces; the material whose colours its vertices have.
+using MeshKey = std::tuple<std::uint32_t, int, bool, bool, std::uint32_t>;
 
 struct Writer {
     const Scene& scene;

@@ -259,6 +259,9 @@ TEST_F(Render, TheKindOfPictureFollowsTheEnding) {
     EXPECT_EQ(render({"-o", "a.png", "--bits", "12"}).code, 2);
     EXPECT_EQ(render({"-o", "a.png", "--aov"}).code, 2);
     EXPECT_EQ(render({"-o", "a.exr", "--aov"}).code, 0);
+    EXPECT_EQ(render({"-o", "a.jpg", "--alpha"}).code, 2);
+    EXPECT_EQ(render({"-o", "a.png", "--alpha", "--max-error", "0.1"}).code, 2);
+    EXPECT_EQ(render({"-o", "a.exr", "--aov", "--alpha"}).code, 0);
     EXPECT_EQ(render({"-o", "a.PPM", "--bits", "16", "--linear"}).code, 0);
     EXPECT_THAT(place_.files(), ElementsAre("a.PPM", "a.exr", "a.lancer"));
 }

@@ -136,6 +136,23 @@ TEST(Obj, NumbersThatNobodyUsesNeedNotBeFinite) {
                 "t.obj:4: a texture coordinate is not finite");
 }
 
+TEST(Obj, SixNumbersAreAPlaceAndItsColor) {
+    const LoadedMesh all = obj("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 2\nv 0 1 0 0 0 0\nf 1 2 3\n");
+    EXPECT_THAT(all.mesh.colors, ElementsAre(Vec3d(1, 0.5, 0), Vec3d(0, 0, 2), Vec3d(0, 0, 0)));
+    const LoadedMesh some = obj("v 0 0 0\nv 1 0 0 0 0 2\nv 0 1 0 7\nf 1 2 3\n");
+    EXPECT_THAT(some.mesh.colors, ElementsAre(Vec3d(1.0), Vec3d(0, 0, 2), Vec3d(1.0)))
+        << "white beside colours; one number more is a weight";
+    EXPECT_TRUE(obj(triangle + "f 1 2 3\n").mesh.colors.empty());
+    const LoadedMesh wrong = obj("v 0 0 0\nv 1 0 0 0 0 -2\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_TRUE(wrong.mesh.colors.empty());
+    EXPECT_THAT(
+        wrong.warnings,
+        ElementsAre("t.obj:2: the colour of this vertex is negative or not finite: the mesh "
+                    "is read without colours"));
+    EXPECT_EQ(obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 9 0 0 -2\nf 1 2 3\n").mesh.colors.size(), 4u)
+        << "a colour that nobody uses";
+}
+
 TEST(Obj, NamesTheLineOfAMistake) {
     EXPECT_THAT(obj_error("v 0 0 0\nv 1 abc 2\n"), StartsWith("t.obj:2: a coordinate expected"));
     EXPECT_THAT(obj_error("v 0 0\n"), StartsWith("t.obj:1: a coordinate expected, but the line"));

@@ -258,6 +258,33 @@ TEST(Ply, APartOfANormalIsNoneAndNeedsNotBeFinite) {
     EXPECT_TRUE(loaded.mesh.uvs.empty());
 }
 
+TEST(Ply, ColorsOfEightBitsAreEncodedAndThoseOfFloatsAreLight) {
+    const std::string begin =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\n";
+    const std::string end = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const auto parts = [](const std::string& type) {
+        return "property " + type + " red\nproperty " + type + " green\nproperty " + type +
+               " blue\nproperty " + type + " alpha\n";
+    };
+    const LoadedMesh bytes = ply(begin + parts("uchar") + end +
+                                 "0 0 0 255 0 0 9\n1 0 0 188 188 188 9\n0 1 0 0 0 1 9\n3 0 1 2\n");
+    ASSERT_EQ(bytes.mesh.colors.size(), 3u);
+    EXPECT_EQ(bytes.mesh.colors[0], Vec3d(1, 0, 0));
+    EXPECT_NEAR(bytes.mesh.colors[1].x, 0.5029, 1e-4);
+    EXPECT_NEAR(bytes.mesh.colors[2].z, 1 / 255.0 / 12.92, 1e-12);
+    const LoadedMesh light = ply(begin + parts("float") + end +
+                                 "0 0 0 2 0.5 0 9\n1 0 0 0 0 0 9\n0 1 0 0 0 1 9\n3 0 1 2\n");
+    EXPECT_EQ(light.mesh.colors[0], Vec3d(2, 0.5, 0));
+    const LoadedMesh wrong = ply(begin + parts("float") + end +
+                                 "0 0 0 2 -0.5 0 9\n1 0 0 0 0 0 9\n0 1 0 0 0 1 9\n3 0 1 2\n");
+    EXPECT_TRUE(wrong.mesh.colors.empty());
+    EXPECT_THAT(wrong.warnings, ElementsAre(HasSubstr("'green' of vertex 0 is negative or not")));
+    EXPECT_TRUE(ply(begin + "property uchar red\n" + end + "0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n")
+                    .mesh.colors.empty())
+        << "a part of a colour is none";
+}
+
 TEST(Ply, ReadsStripsOfTriangles) {
     const auto strips = [](const std::string& lists) {
         return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float "

@@ -59,6 +59,126 @@ TEST(Render, AProbeAtAPixelsCentreIsThePixel) {
     EXPECT_EQ(renderer->probe(view, 1.5, 1.5).object, 0u) << "the ground is declared first";
 }
 
+/// Looks along -z at the origin from a distance.
+Scene little_scene() {
+    Scene scene;
+    Camera camera;
+    camera.position = {0, 0, 5};
+    camera.look_at = {0, 0, 0};
+    camera.projection = OrthographicProjection{2};
+    scene.cameras.push_back(camera);
+    scene.background = {0.25, 0.5, 0.75};
+    return scene;
+}
+
+TEST(Render, ASkyIsSeenByDirectionAndInMirrors) {
+    Scene scene = little_scene();
+    scene.cameras[0].projection = PerspectiveProjection{90};
+    scene.sky =
+        Gradient{{0, 3, 0}, {{-0.5, {1, 0, 0}}, {0, {0, 1, 0}}, {0, {0, 0, 1}}, {1, {0, 0, 0}}}};
+    const auto renderer = compile(scene, scene.settings);
+    const View view{0, 8, 8, {}, false};
+    const auto seen = [&](double y) { return renderer->probe(view, 4, y).color; };
+    EXPECT_EQ(seen(4), Color(0, 0, 1)) << "the upper side of a step holds it";
+    const double down = std::sin(std::atan(0.25));
+    EXPECT_NEAR(seen(5).x, down / 0.5, 1e-14);
+    EXPECT_NEAR(seen(5).y, 1 - down / 0.5, 1e-14);
+    EXPECT_EQ(seen(8), Color(1, 0, 0)) << "beyond the last stop its colour goes on";
+    EXPECT_NEAR(seen(3).z, 1 - down, 1e-14);
+
+    Material mirror;
+    mirror.ambient = mirror.diffuse = 0;
+    mirror.reflection = {1, 1, 1};
+    scene.materials.push_back(mirror);
+    Object wall;
+    wall.shape = Plane{{0, 1, 1}, 0};
+    wall.material = 1;
+    scene.objects.push_back(wall);
+    RayCounts counts[2];
+    Image pictures[2];
+    int i = 0;
+    for (const Level level : {Level::scalar, best_level()}) {
+        pictures[i] = compile(scene, scene.settings, level)->render(view, {}, counts[i]);
+        ++i;
+    }
+    EXPECT_EQ(pictures[0].data, pictures[1].data);
+    const Color up = compile(scene, scene.settings)->probe(view, 4, 4).color;
+    EXPECT_NEAR(up.z, 0, 1e-12) << "straight up";
+}
+
+TEST(Render, WhatHitsNothingIsTransparentAndGlassAsFarAsLightPasses) {
+    Scene scene = little_scene();
+    Material sheet;
+    sheet.color = {1, 0.5, 0};
+    sheet.ambient = sheet.diffuse = 0;
+    sheet.emission = {0.5, 0.5, 0.5};
+    sheet.filter = 0.6;
+    Material solid;
+    solid.emission = {1, 1, 1};
+    solid.ambient = solid.diffuse = 0;
+    Material ball = sheet;
+    ball.emission = {0, 0, 0};
+    ball.ior = 1.5;
+    scene.materials = {Material{}, sheet, solid, ball};
+    const auto put = [&](const Shape& shape, std::uint32_t material) {
+        Object object;
+        object.shape = shape;
+        object.material = material;
+        scene.objects.push_back(object);
+    };
+    const auto look = [&] {
+        RayCounts counts;
+        View view{0, 4, 4, {}, false};
+        view.alpha = true;
+        return compile(scene, scene.settings)->render(view, {}, counts);
+    };
+    put(Box{{0, -1, -1}, {1, 0, -0.5}}, 2);  // the lower right quarter
+    Image image = look();
+    ASSERT_EQ(image.channels, 4);
+    EXPECT_EQ(image.pixel(0, 0)[3], 0) << "opaque worlds have a recursion of their own";
+    EXPECT_EQ(image.pixel(0, 0)[0], 0) << "the background is left out";
+    EXPECT_EQ(image.pixel(3, 3)[3], 1);
+    EXPECT_EQ(image.pixel(3, 3)[0], 1);
+    put(Triangle{{Vec3d(-9, -9, 1), Vec3d(9, -9, 1), Vec3d(0, 18, 1)}}, 1);
+    image = look();
+    const double passes = 0.6 * (1 + 0.5 + 0) / 3;
+    EXPECT_NEAR(image.pixel(0, 0)[3], 1 - passes, 1e-14);
+    EXPECT_NEAR(image.pixel(0, 0)[0], 0.5 * 0.4 / (1 - passes), 1e-14) << "not multiplied by alpha";
+    EXPECT_EQ(image.pixel(3, 3)[3], 1);
+    scene.objects.clear();
+    put(Sphere{{0, 0, 0}, 0.9}, 3);
+    image = look();
+    EXPECT_EQ(image.pixel(0, 0)[3], 0);
+    EXPECT_NEAR(image.pixel(1, 1)[3], 1 - 0.36 * (1 + 0.25) / 3, 1e-14) << "bent light counts";
+}
+
+TEST(Render, ColorsOfVerticesAreInterpolatedOnEveryLevel) {
+    Scene scene = little_scene();
+    auto mesh = std::make_shared<Mesh>();
+    mesh->vertices = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
+    mesh->faces = {{0, 1, 2}};
+    mesh->colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 4}};
+    scene.meshes.push_back(mesh);
+    scene.textures.push_back({VertexColors{}, {}});
+    Material painted;
+    painted.texture = 0;
+    painted.ambient = painted.diffuse = 0;
+    painted.emission = {1, 1, 1};
+    scene.materials = {painted};
+    Object object;
+    object.shape = MeshRef{0, false};
+    scene.objects.push_back(object);
+    const View view{0, 8, 8, {}, false};
+    RayCounts counts;
+    const Image scalar = compile(scene, scene.settings, Level::scalar)->render(view, {}, counts);
+    const Image wide = compile(scene, scene.settings, best_level())->render(view, {}, counts);
+    EXPECT_EQ(scalar.data, wide.data);
+    const double* p = scalar.pixel(2, 3);  // at (-0.375, 0.125)
+    EXPECT_NEAR(p[0], 1 - 0.625 / 4 - 1.125 / 4, 1e-14);
+    EXPECT_NEAR(p[1], 0.625 / 4, 1e-14);
+    EXPECT_NEAR(p[2], 4 * 1.125 / 4, 1e-14);
+}
+
 TEST(Render, TracedPointsAreThoseOfThePictureForAnyNumberOfThreads) {
     const Scene scene = reference::glass_nested_scene();
     const View view{0, 61, 47, {}, false};

@@ -48,6 +48,7 @@ class Compiler {
         world_->has_textures = requirements_.needs(Feature::textures);
         world_->scale_exponent = scale_exponent(scene_);
         world_->background = in_range(scene_.background, {}, "background");
+        if (scene_.sky) add_sky(*scene_.sky);
         world_->ambient = in_range(scene_.ambient, {}, "ambient");
         for (const Material& m : scene_.materials) add_finish(m);
         if (world_->has_textures) compile_textures(scene_, *world_);
@@ -71,6 +72,16 @@ class Compiler {
         return r;
     }
     Real length_in_world(double x) const { return ldexp(static_cast<Real>(x), scale()); }
+
+    void add_sky(const Gradient& from) {
+        const Vec3<Wide<Real>> axis =
+            convert<Wide<Real>>(from.axis / max_component(absolute(from.axis)));
+        SkyPattern<Real> sky;
+        sky.axis = convert<Real>(normalize(axis));
+        for (const Gradient::Stop& stop : from.stops)
+            sky.stops.push_back({static_cast<Real>(stop.at), in_range(stop.color, {}, "the sky")});
+        world_->sky = std::move(sky);
+    }
 
     void add_finish(const Material& m) {
         Finish<Real> f;

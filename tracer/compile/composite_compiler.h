@@ -9,11 +9,18 @@
 
 namespace lancer {
 
-/// How many numbers the faces of a solid take.
+/// How many numbers the faces of a solid take. Sheets are no leaves.
 template <class Real>
 struct FaceCount {
+    std::uint64_t operator()(const BallSolid<Real>&) const { return 1; }
     std::uint64_t operator()(const BoxSolid<Real>&) const { return 6; }
     std::uint64_t operator()(const FrustumSolid<Real>&) const { return 3; }
+    std::uint64_t operator()(const TorusSolid<Real>&) const { return 1; }
+    std::uint64_t operator()(const HalfSpace<Real>&) const { return 1; }
+    std::uint64_t operator()(const TriangleSheet<Real>&) const { return 0; }
+    std::uint64_t operator()(const PatchSolid<Real>&) const { return 0; }
+    std::uint64_t operator()(const BicubicSolid<Real>&) const { return 0; }
+    std::uint64_t operator()(const FacetSolid<Real>&) const { return 0; }
     std::uint64_t operator()(const MeshInstance<Real>& s) const {
         return s.mesh->source->faces.size();
     }
@@ -23,7 +30,8 @@ struct FaceCount {
     std::uint64_t operator()(const PrismSolid<Real>& s) const {
         return s.surface->curve.segments() + 2;
     }
-    std::uint64_t operator()(const auto&) const { return 1; }
+    /// A composite in a composite is taken apart before: model/scene.h, Composite.
+    std::uint64_t operator()(const CompositeSolid<Real>&) const { return 0; }
 };
 
 /// A half space across a coordinate axis has a bound on one side.

@@ -33,6 +33,11 @@ Bounds<Real> solid_bounds(const FrustumSolid<Real>& s) {
 }
 
 template <class Real>
+Bounds<Real> solid_bounds(const TorusSolid<Real>& s) {
+    return around(Vec3<Real>(0), Vec3<Real>(s.reach(), s.tube, s.reach()) * s.grow);
+}
+
+template <class Real>
 Bounds<Real> solid_bounds(const HalfSpace<Real>&) {
     return around(Vec3<Real>(0), Vec3<Real>(std::numeric_limits<Real>::infinity()));
 }

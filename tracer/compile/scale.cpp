@@ -22,6 +22,7 @@ struct Extent {
     double operator()(const Cone& c) const {
         return std::max({largest(c.base), largest(c.top), c.base_radius, c.top_radius});
     }
+    double operator()(const Torus& t) const { return t.radius; }  // and no more than twice that
     double operator()(const Plane& p) const { return std::abs(p.offset); }
     double operator()(const Triangle& t) const {
         return std::max({largest(t.points[0]), largest(t.points[1]), largest(t.points[2])});

@@ -174,6 +174,14 @@ class ShapeCompiler {
         return frustum(c.base, c.top, c.base_radius, c.top_radius, c.capped, own, map, p);
     }
 
+    Solid<Real> solid(const Torus& t, int own, const Affine<Real>& map, const TriangleMesh<Real>*,
+                      Primitive<Real>& p) {
+        if (!is_identity(map)) add_frame(map, p);
+        const int to_one = exponent_for(t.radius);
+        return TorusSolid<Real>{number(t.radius, to_one), number(t.tube, to_one),
+                                ldexp(Real(1), to_one - own), ldexp(Real(1), own - to_one)};
+    }
+
     Solid<Real> solid(const Plane& plane, int own, const Affine<Real>& map,
                       const TriangleMesh<Real>*, Primitive<Real>&) {
         const Vec3<Real> n =

@@ -25,6 +25,7 @@ struct PatternMaker {
             pattern.stops.push_back({static_cast<Real>(stop.at), convert<Real>(stop.color)});
         return pattern;
     }
+    Pattern<Real> operator()(const VertexColors&) const { return VertexPattern{}; }
     Pattern<Real> operator()(const ImageTexture& t) const {
         return ImagePattern<Real>{scene.images[t.image].pixels.get(), t.mapping, t.filter, t.wrap,
                                   convert<Real>(inverse(convert<Wide<Real>>(to_object)))};
@@ -47,6 +48,7 @@ struct ChartMaker {
     Chart<Real> operator()(const Cone& c) const {
         return frustum(c.base, c.top, c.base_radius, c.top_radius);
     }
+    Chart<Real> operator()(const Torus&) const { return ParameterChart{}; }
     Chart<Real> operator()(const Plane&) const { return PlanarChart{}; }
     Chart<Real> operator()(const Triangle& t) const {
         if (t.attributes == none || !scene.triangle_attributes[t.attributes].uvs)

@@ -35,12 +35,8 @@ bool holds_its_plane(const Vec3<Real>& outward) {
     return false;
 }
 
-template <class Real, class Other>
-bool runs_beside(const Other&, const Ray<Real>&) {
-    return false;
-}
-
-/// Whether the line runs within a face of the box that does not hold its plane.
+/// Whether the line runs within a flat face of the leaf that does not hold its plane. Here: of a
+/// box.
 template <class Real>
 bool runs_beside(const BoxSolid<Real>& box, const Ray<Real>& ray) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -57,6 +53,36 @@ bool runs_beside(const FrustumSolid<Real>& f, const Ray<Real>& ray) {
     const bool in_large = dot(f.axis, start_from(ray, f.large_end)) == 0;
     return (in_small && !holds_its_plane(-f.axis)) || (in_large && !holds_its_plane(f.axis));
 }
+
+// Round all over, or told by crossings of their own: triangles and splines.
+template <class Real>
+bool runs_beside(const BallSolid<Real>&, const Ray<Real>&) {
+    return false;
+}
+template <class Real>
+bool runs_beside(const TorusSolid<Real>&, const Ray<Real>&) {
+    return false;
+}
+template <class Real>
+bool runs_beside(const MeshInstance<Real>&, const Ray<Real>&) {
+    return false;
+}
+template <class Real>
+bool runs_beside(const LatheSolid<Real>&, const Ray<Real>&) {
+    return false;
+}
+template <class Real>
+bool runs_beside(const PrismSolid<Real>&, const Ray<Real>&) {
+    return false;
+}
+
+/// Half spaces have a search of their own, sheets are no leaves, and composites in composites are
+/// taken apart before.
+template <class S, class Real>
+inline constexpr bool has_crossings_as_leaf =
+    !(std::is_same_v<S, HalfSpace<Real>> || std::is_same_v<S, TriangleSheet<Real>> ||
+      std::is_same_v<S, PatchSolid<Real>> || std::is_same_v<S, BicubicSolid<Real>> ||
+      std::is_same_v<S, FacetSolid<Real>> || std::is_same_v<S, CompositeSolid<Real>>);
 
 /// Finds the crossings of a line with a composite's leaves, from a parameter on.
 template <class Real>
@@ -136,8 +162,7 @@ class CompositeSearch {
         };
         std::visit(
             [&](const auto& shape) {
-                if constexpr (!std::is_same_v<std::decay_t<decltype(shape)>,
-                                              CompositeSolid<Real>>) {
+                if constexpr (has_crossings_as_leaf<std::decay_t<decltype(shape)>, Real>) {
                     if (runs_beside(shape, ray)) return;
                     if (hints.start_face != none) hints.inside = leads_inside(shape, ray, hints);
                     shape_crossings(shape, ray, hints, interval(), report);
@@ -146,11 +171,12 @@ class CompositeSearch {
             leaf.solid);
     }
 
-    /// Whether the line leads into a spline's body from the face that it starts on: such a body
-    /// asks, all others know.
+    /// Whether the line leads into a spline's or a ring's body from the face that it starts on:
+    /// such a body asks, all others know.
     template <class S>
     static bool leads_inside(const S& shape, const Ray<Real>& ray, const IntersectionHints& hints) {
-        if constexpr (std::is_same_v<S, LatheSolid<Real>> || std::is_same_v<S, PrismSolid<Real>>)
+        if constexpr (std::is_same_v<S, LatheSolid<Real>> || std::is_same_v<S, PrismSolid<Real>> ||
+                      std::is_same_v<S, TorusSolid<Real>>)
             return dot(surface_point(shape, ray, Real(0), hints.start_face).normal, ray.dir) < 0;
         return false;
     }

@@ -162,7 +162,8 @@ class PovRayTracer {
                                         start + around.farthest_hit(), Shadows::ignore);
             if (!hit) {
                 lighting_.note(none);
-                return result + through * dimmed_before(around, unbounded) * world_.background;
+                return result +
+                       through * dimmed_before(around, unbounded) * color_behind(world_, ray.dir);
             }
             const Surface<Real> s = make_surface(world_, ray, *hit);
             if (lighting_.record != nullptr) lighting_.record->remember(s, hit->t);

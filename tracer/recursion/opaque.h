@@ -43,6 +43,9 @@ class OpaqueTracer {
 
     const RayCounts& counts() const { return lighting_.counts; }
 
+    /// See Whitted.
+    Vec3<Real>* seen_through = nullptr;
+
     /// The colour that a camera ray brings: see Whitted. Where the camera stands matters to media
     /// alone.
     Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>&,
@@ -68,7 +71,9 @@ class OpaqueTracer {
         if (contact.empty()) {
             lighting_.note(none);
             lighting_.recorder.end_in_background(Vec3<Real>(1));
-            return world_.background;
+            if (level > 0 || seen_through == nullptr) return color_behind(world_, ray.dir);
+            *seen_through = Vec3<Real>(1);
+            return Vec3<Real>(0);
         }
         return shade(ray, contact, weight, level);
     }

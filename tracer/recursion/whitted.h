@@ -26,6 +26,10 @@ class Whitted {
 
     const RayCounts& counts() const { return lighting_.counts; }
 
+    /// Null, or where the share goes that what is behind everything has in a camera ray's light:
+    /// straight, or bent by glass, but not mirrored. It is then left out of the colour.
+    Vec3<Real>* seen_through = nullptr;
+
     /// The colour that a camera ray brings. The camera is at parameter `at_camera` (<= 0) of the
     /// ray; `from_camera` is the same line with its origin there. `record` may be null.
     Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>& from_camera,
@@ -59,6 +63,7 @@ class Whitted {
         Vec3<Real> through(1);  // what the surfaces and media on the way let pass
         int straight_passes{};
         lighting_.recorder.start(ray, start.t, media, weight, level);
+        bool looks_ahead = level == 0 && seen_through != nullptr;
         while (is_followed(limits_, weight, level)) {
             Contact<Real> contact = adjacent_face_hit(world_, ray, turn, media.bodies);
             const bool at_once = !contact.empty();
@@ -69,7 +74,9 @@ class Whitted {
                 counts.media_lost += drop_bounded(world_, media.bodies);
                 const Vec3<Real> arrives = through * transmittance_to_infinity(media);
                 lighting_.recorder.end_in_background(arrives);
-                return result + arrives * world_.background;
+                if (!looks_ahead) return result + arrives * color_behind(world_, ray.dir);
+                *seen_through = arrives;
+                return result;
             }
             const Real t = contact.front().t;
             if (world_.has_media) {
@@ -114,6 +121,7 @@ class Whitted {
             }
             ++(c.total ? counts.reflected : counts.transmitted);
             lighting_.recorder.begin_bent(c.total);
+            looks_ahead = looks_ahead && !c.total;
             const Surface<Real>& front = surfaces.front();
             Media next = leaving(front, c, c.bent, !c.total);
             ray = make_ray(front.position, front.position_lo, c.bent, front.error);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/prism.h"
 #include "tracer/shapes/sphere.h"
+#include "tracer/shapes/torus.h"
 #include "tracer/shapes/triangle.h"
 #include "tracer/textures/texture_binding.h"
 
@@ -29,10 +31,10 @@ namespace lancer {
 
 /// The tracer's own closed list of shapes, derived from `Shape` by compile.
 template <class Real>
-using Solid =
-    std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, HalfSpace<Real>,
-                 TriangleSheet<Real>, MeshInstance<Real>, PatchSolid<Real>, BicubicSolid<Real>,
-                 FacetSolid<Real>, LatheSolid<Real>, PrismSolid<Real>, CompositeSolid<Real>>;
+using Solid = std::variant<BallSolid<Real>, BoxSolid<Real>, FrustumSolid<Real>, TorusSolid<Real>,
+                           HalfSpace<Real>, TriangleSheet<Real>, MeshInstance<Real>,
+                           PatchSolid<Real>, BicubicSolid<Real>, FacetSolid<Real>, LatheSolid<Real>,
+                           PrismSolid<Real>, CompositeSolid<Real>>;
 
 template <class Real>
 SolidTraits traits_of(const Solid<Real>& solid) {
@@ -138,6 +140,7 @@ struct World {
     std::vector<std::shared_ptr<const Image>> images;    ///< that `textures` point to
     std::vector<LightSource<Real>> lights;
     Vec3<Real> background{0};
+    std::optional<SkyPattern<Real>> sky;  ///< in its place
     Vec3<Real> ambient{1};
     Settings settings;
 
@@ -149,5 +152,11 @@ struct World {
     bool has_smooth_media = false;  ///< some of them are meshes with interpolated normals
     bool has_textures = false;
 };
+
+/// What a ray brings that hits nothing.
+template <class Real>
+Vec3<Real> color_behind(const World<Real>& world, const Vec3<Real>& direction) {
+    return world.sky ? color_at(*world.sky, direction) : world.background;
+}
 
 }  // namespace lancer

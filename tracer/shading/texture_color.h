@@ -6,6 +6,21 @@
 
 namespace lancer {
 
+/// Interpolated between the colours of the three corners with the weights of the hit. What has none
+/// is white: the parser lets no other shape wear them.
+template <class Real>
+Vec3<Real> vertex_color(const Primitive<Real>& primitive, const SurfacePoint<Real>& hit,
+                        std::uint32_t face) {
+    const auto* instance = std::get_if<MeshInstance<Real>>(&primitive.solid);
+    if (instance == nullptr || instance->mesh->source->colors.empty()) return Vec3<Real>(1);
+    const Mesh& mesh = *instance->mesh->source;
+    const Mesh::Corners& corners = mesh.faces[face];
+    const Vec2<Real>& weights = hit.parameter;
+    return (1 - weights.x - weights.y) * convert<Real>(mesh.colors[corners[0]]) +
+           weights.x * convert<Real>(mesh.colors[corners[1]]) +
+           weights.y * convert<Real>(mesh.colors[corners[2]]);
+}
+
 /// The colour of texture `texture` at a point of a textured primitive.
 ///
 /// \param hit   in the primitive's own space
@@ -19,7 +34,9 @@ TextureColor<Real> texture_color(const World<Real>& world, std::uint32_t texture
     return std::visit(
         [&](const auto& pattern) -> TextureColor<Real> {
             using P = std::decay_t<decltype(pattern)>;
-            if constexpr (std::is_same_v<P, ImagePattern<Real>>) {
+            if constexpr (std::is_same_v<P, VertexPattern>) {
+                return {vertex_color(primitive, hit, face)};
+            } else if constexpr (std::is_same_v<P, ImagePattern<Real>>) {
                 using Mapping = ImageTexture::Mapping;
                 switch (pattern.mapping) {
                     case Mapping::planar:

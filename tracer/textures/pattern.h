@@ -55,4 +55,27 @@ Vec3<Real> color_at(const GradientPattern<Real>& gradient, const PatternPoint<Re
     return (1 - share) * low.color + share * above->color;
 }
 
+/// What stands behind everything, by direction.
+template <class Real>
+struct SkyPattern {
+    Vec3<Real> axis;                                          ///< unit
+    std::vector<typename GradientPattern<Real>::Stop> stops;  ///< from -1, against the axis, to 1
+};
+
+/// Linear between the stops around the cosine of the direction with the axis.
+///
+/// \param direction  unit
+template <class Real>
+Vec3<Real> color_at(const SkyPattern<Real>& sky, const Vec3<Real>& direction) {
+    const Real cosine = dot(sky.axis, direction);
+    const auto above = std::upper_bound(
+        sky.stops.begin(), sky.stops.end(), cosine,
+        [](Real value, const typename GradientPattern<Real>::Stop& s) { return value < s.at; });
+    if (above == sky.stops.begin()) return sky.stops.front().color;
+    if (above == sky.stops.end()) return sky.stops.back().color;
+    const auto& low = *(above - 1);
+    const Real share = (cosine - low.at) / (above->at - low.at);
+    return (1 - share) * low.color + share * above->color;
+}
+
 }  // namespace lancer

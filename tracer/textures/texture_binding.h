@@ -9,8 +9,12 @@
 
 namespace lancer {
 
+/// The colours of a mesh's vertices: the primitive has them.
+struct VertexPattern {};
+
 template <class Real>
-using Pattern = std::variant<CheckerPattern<Real>, GradientPattern<Real>, ImagePattern<Real>>;
+using Pattern =
+    std::variant<CheckerPattern<Real>, GradientPattern<Real>, ImagePattern<Real>, VertexPattern>;
 
 /// One primitive's texture coordinates.
 template <class Real>

@@ -46,7 +46,8 @@ struct MeshChart {
     const Mesh* mesh;  ///< with uvs
 };
 
-/// Patch, lathe and prism: the tracer's shape says (u, v) itself, in SurfacePoint::parameter.
+/// Patch, lathe, prism and torus: the tracer's shape says (u, v) itself, in
+/// SurfacePoint::parameter.
 struct ParameterChart {};
 
 template <class Real>

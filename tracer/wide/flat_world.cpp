@@ -70,6 +70,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.lights = lights_.data();
     scene_.light_count = lights_.size();
     put(world.background + Vec3d(0), scene_.background);
+    scene_.has_sky = world.sky.has_value();
 }
 
 void FlatWorld::add(const Primitive<double>& primitive) {

@@ -146,6 +146,7 @@ struct Scene {
     const Light* lights;
     std::size_t light_count;
     double background[3];
+    bool has_sky;  ///< what is behind depends on the direction
     bool has_glassy;
     int max_depth;
     double min_contribution;
@@ -200,6 +201,8 @@ class ExactMethods {
     /// The same where it is known what the ray meets first; in worlds without glassy items.
     virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
                        double* color) = 0;
+    /// What a ray brings that hits nothing.
+    virtual void behind(const double* direction, double* color) = 0;
     virtual void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) = 0;
     virtual void light(std::size_t index, const double* position, const double* position_lo,
                        LaneLight& light) = 0;

@@ -67,8 +67,7 @@ class Packet {
         }
         find_nearest(job_, rays_, starts, active, hits_);
         for_each_lane(hits_.unsure, [&](int i) { trace_exactly(i, starts); });
-        for_each_lane(active & ~hits_.some & ~hits_.unsure,
-                      [&](int i) { put_color(i, scene_.background); });
+        for_each_lane(active & ~hits_.some & ~hits_.unsure, [&](int i) { put_color_behind(i); });
         Mask met = active & hits_.some & ~hits_.unsure;
         for_each_lane(met, [&](int i) {
             const Item& item = scene_.items[hits_.item[i]];
@@ -85,6 +84,15 @@ class Packet {
   private:
     void put_color(int i, const double* color) {
         for (int c = 0; c < 3; ++c) wave_.color[c][at_ + i] = color[c];
+    }
+    void put_color_behind(int i) {
+        if (!scene_.has_sky) {
+            put_color(i, scene_.background);
+            return;
+        }
+        double color[3];
+        job_.exact->behind(lane_ray(rays_, i).dir, color);
+        put_color(i, color);
     }
     void trace_exactly(int i, const Starts& starts) {
         double color[3];

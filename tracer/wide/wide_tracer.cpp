@@ -79,6 +79,10 @@ class ScalarMethods final : public ExactMethods {
         }
     }
 
+    void behind(const double* direction, double* color) override {
+        put(color_behind(world_, vector_of(direction)), color);
+    }
+
     void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) override {
         const Surface<double> s = make_surface(world_, ray_of(ray), hit_of(hit));
         put(s.position, surface.position);
