@@ -23,6 +23,8 @@ struct WideSlabs {
 /// All take eight rays and answer for each.
 struct WideKernels {
     void (*ball)(const wide::Ball& ball, const wide::LaneRay* rays, double limit, WideAnswer* out);
+    /// From its surface: the second crossing.
+    void (*from_ball)(const wide::Ball& ball, const wide::LaneRay* rays, WideAnswer* out);
     void (*box)(const wide::Box& box, const wide::LaneRay* rays, double limit, WideAnswer* out);
     void (*plane)(const wide::Plane& plane, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
@@ -44,6 +46,10 @@ struct WideKernels {
     /// The surfaces of eight hits; those that are left to scalar code are asked of `exact`.
     void (*surfaces)(const wide::Scene& scene, wide::ExactMethods& exact, const wide::LaneRay* rays,
                      const wide::LaneHit* hits, wide::LaneSurface* out);
+    /// Rays bent at a surface with this normal; `t` of the answer is Fresnel's reflectance, `hit`
+    /// total reflection.
+    void (*bend)(const wide::LaneRay* rays, const double (*normals)[3], const double* ratios,
+                 double (*bent)[3], WideAnswer* out);
     void (*power)(const double* x, const double* y, double* out);
     void (*arc_cosine)(const double* x, double* out);
 };

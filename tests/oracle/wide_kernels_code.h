@@ -39,13 +39,18 @@ inline void ball_kernel(const Ball& ball, const LaneRay* rays, double limit,
                         oracle::WideAnswer* out) {
     NearestHits hits;
     hits.limit = all(limit);
-    hits.unsure |= ball_crossings(ball, 0, rays_of(rays), 255, hits);
+    ball_crossings(ball, 0, rays_of(rays), 255, Ways(), hits);
     put_answers(hits, out);
+}
+inline void from_ball_kernel(const Ball& ball, const LaneRay* rays, oracle::WideAnswer* out) {
+    const BallFromSurface other(ball, rays_of(rays));
+    for (int i = 0; i < lanes; ++i)
+        out[i] = {true, false, false, lane(other.t, i), lane(other.error, i), 0, 0};
 }
 inline void box_kernel(const Box& box, const LaneRay* rays, double limit, oracle::WideAnswer* out) {
     NearestHits hits;
     hits.limit = all(limit);
-    box_crossings(box, 0, rays_of(rays), 255, hits);
+    box_crossings(box, 0, rays_of(rays), 255, Ways(), hits);
     put_answers(hits, out);
     for (int i = 0; i < lanes; ++i) out[i].face = out[i].hit ? hits.face[i] : 0;
 }
@@ -135,7 +140,9 @@ inline void surfaces_kernel(const Scene& scene, ExactMethods& exact, const LaneR
     const Rays rays = rays_of(from);
     NearestHits hits;
     for (int i = 0; i < lanes; ++i) hits.add(i, given[i]);
-    Job job{&scene, &exact, nullptr, nullptr, nullptr, {}};
+    Job job{};
+    job.scene = &scene;
+    job.exact = &exact;
     Surfaces s;
     make_surfaces(job, rays, hits, 255, s);
     const auto put = [](const Vectors& v, int i, double* to) {
@@ -154,6 +161,22 @@ inline void surfaces_kernel(const Scene& scene, ExactMethods& exact, const LaneR
     }
 }
 
+inline void bend_kernel(const LaneRay* from, const double (*normals)[3], const double* ratios,
+                        double (*bent)[3], oracle::WideAnswer* out) {
+    const Rays rays = rays_of(from);
+    const Numbers ratio = load(ratios);
+    Vectors normal = rays.dir;
+    for (int i = 0; i < lanes; ++i) set_lane(normal, i, normals[i]);
+    const Refracted refracted(rays.dir, normal, ratio);
+    const Numbers reflectance = fresnel_reflectance(-dot(normal, rays.dir), all(1.0) / ratio);
+    for (int i = 0; i < lanes; ++i) {
+        out[i] = {(refracted.total >> i & 1) != 0, false, false, lane(reflectance, i), 0, 0, 0};
+        bent[i][0] = lane(refracted.bent.x, i);
+        bent[i][1] = lane(refracted.bent.y, i);
+        bent[i][2] = lane(refracted.bent.z, i);
+    }
+}
+
 inline void power_kernel(const double* x, const double* y, double* out) {
     store(out, power(load(x), load(y)));
 }
@@ -162,9 +185,9 @@ inline void arc_cosine_kernel(const double* x, double* out) {
 }
 
 inline constexpr oracle::WideKernels kernels{
-    ball_kernel,        box_kernel,        plane_kernel,          triangle_kernel,
-    ball_shadow_kernel, box_shadow_kernel, frustum_shadow_kernel, plane_shadow_kernel,
-    slabs_kernel,       local_kernel,      surfaces_kernel,       power_kernel,
-    arc_cosine_kernel};
+    ball_kernel,         from_ball_kernel,   box_kernel,        plane_kernel,
+    triangle_kernel,     ball_shadow_kernel, box_shadow_kernel, frustum_shadow_kernel,
+    plane_shadow_kernel, slabs_kernel,       local_kernel,      surfaces_kernel,
+    bend_kernel,         power_kernel,       arc_cosine_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

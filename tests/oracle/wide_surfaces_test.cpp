@@ -1,11 +1,13 @@
-// Surfaces side by side against make_surface(), number by number.
+// Surfaces side by side against make_surface(), and how they bend light, number by number.
 #include <random>
 
 #include "tests/extremes/stage.h"
+#include "tests/oracle/tally.h"
 #include "tests/oracle/wide_kernels.h"
 #include "tests/oracle/wide_levels.h"
 #include "tracer/compile/compile.h"
 #include "tracer/intersect/nearest_contact.h"
+#include "tracer/shading/optics.h"
 #include "tracer/shading/surface.h"
 #include "tracer/wide/flat_world.h"
 
@@ -18,6 +20,8 @@ class NoMethods final : public wide::ExactMethods {
     std::size_t asked = 0;
 
     void trace(const wide::LaneRay&, const wide::LaneStart&, double, int, double*) override {}
+    void follow(const wide::LaneRay&, const wide::LaneStart&, double, int, const double*,
+                const wide::LightSink&) override {}
     void shade(const wide::LaneRay&, const wide::LaneHit&, double, int, double*) override {}
     void surface(const wide::LaneRay&, const wide::LaneHit&, wide::LaneSurface& s) override {
         ++asked;
@@ -136,6 +140,40 @@ TEST(OracleWide, Surfaces) {
         }
         EXPECT_GT(checked, 10000u);
         EXPECT_LT(exact.asked, checked / 50);
+    });
+}
+
+TEST(OracleWide, LightIsBentTheSame) {
+    on_each_level([](const WideKernels& kernels) {
+        int total = 0;
+        Tally("refraction, side by side").run([&](Draw& draw) {
+            wide::LaneRay rays[8] = {};
+            Vec3d dirs[8], normals[8];
+            double plain[8][3], ratios[8], bent[8][3];
+            for (int i = 0; i < 8; ++i) {
+                dirs[i] = draw.direction();
+                const Vec3d n = draw.direction();
+                normals[i] = lancer::dot(n, dirs[i]) > 0 ? -n : n;
+                for (int c = 0; c < 3; ++c) {
+                    rays[i].dir[c] = dirs[i][c];
+                    plain[i][c] = normals[i][c];
+                }
+                ratios[i] = draw.decade(-0.5, 0.5);
+            }
+            WideAnswer answers[8];
+            kernels.bend(rays, plain, ratios, bent, answers);
+            for (int i = 0; i < 8; ++i) {
+                EXPECT_EQ(answers[i].t,
+                          fresnel_reflectance(-lancer::dot(normals[i], dirs[i]), 1 / ratios[i]));
+                Vec3d expected;
+                const bool passes = refracted(dirs[i], normals[i], ratios[i], expected);
+                EXPECT_EQ(answers[i].hit, !passes) << "case " << draw.number();
+                total += passes ? 0 : 1;
+                if (!passes) continue;
+                EXPECT_EQ(Vec3d(bent[i][0], bent[i][1], bent[i][2]), expected);
+            }
+        });
+        EXPECT_GT(total, 1000);
     });
 }
 

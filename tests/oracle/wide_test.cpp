@@ -162,6 +162,26 @@ TEST(OracleWide, Ball) {
     });
 }
 
+TEST(OracleWide, FromABall) {
+    on_each_level([](const WideKernels& kernels) {
+        Tally("sphere from its surface, side by side").run([&](Draw& draw) {
+            const BallCase c(draw);
+            WideAnswer answers[lanes];
+            kernels.from_ball(c.wide, c.rays.lane_rays.data(), answers);
+            for (std::size_t i = 0; i < lanes; ++i) {
+                std::vector<Crossing<double>> found;
+                IntersectionHints hints;
+                hints.start_face = 0;
+                crossings(c.ball, c.rays.rays[i], hints, whole_line<double>(),
+                          [&](const Crossing<double>& other) { found.push_back(other); });
+                ASSERT_EQ(found.size(), 1U);
+                EXPECT_EQ(answers[i].t, found[0].t) << "case " << draw.number();
+                EXPECT_EQ(answers[i].error, found[0].error) << "case " << draw.number();
+            }
+        });
+    });
+}
+
 TEST(OracleWide, Box) {
     on_each_level([](const WideKernels& kernels) {
         Share nearest, shadow;

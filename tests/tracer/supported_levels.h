@@ -37,6 +37,8 @@ inline bool expect_same_on_all_levels(const Scene& scene, const std::string& wha
         EXPECT_EQ(counts.primary, one_by_one.primary) << what << " on " << name_of(level);
         EXPECT_EQ(counts.shadow, one_by_one.shadow) << what << " on " << name_of(level);
         EXPECT_EQ(counts.reflected, one_by_one.reflected) << what << " on " << name_of(level);
+        EXPECT_EQ(counts.transmitted, one_by_one.transmitted) << what << " on " << name_of(level);
+        EXPECT_EQ(counts.media_lost, one_by_one.media_lost) << what << " on " << name_of(level);
     }
     return wide;
 }

@@ -133,6 +133,108 @@ TEST(WideLevels, MeshesAreTheSame) {
     }
 }
 
+/// Glass that touches, overlaps, holds other glass and opaque things, stands on the ground and on
+/// other glass, of several indices, one of them that of the air; balls, boxes and what wide code
+/// leaves to scalar code.
+Scene glassware(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double a, double b) {
+        return a + (b - a) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    Stage s;
+    s.scene.width = 48;
+    s.scene.height = 36;
+    s.scene.background = Color(0.2, 0.3, 0.5);
+    s.scene.settings.max_depth = 2 + static_cast<int>(random() % 7);
+    s.look({between(-2, 2), between(0.5, 3), between(6, 8)}, {0, 0.7, 0}, 45);
+    s.lamp({between(2, 5), between(3, 6), between(0, 5)});
+    if (random() % 2 == 0) s.lamp({between(-1, 1), between(0.2, 1.5), 0.5}, {0.3, 0.4, 0.2});
+    if (random() % 2 == 0) s.sun({between(-1, 1), -1, 0}, {0.3, 0.2, 0.1});
+    s.add(Plane{{0, 1, 0}, 0}, s.matt({0.6, 0.5, 0.4}));
+    Material shiny;
+    shiny.fresnel = true;
+    shiny.reflection = Color(0.9, 0.8, 1);
+    shiny.ior = 1.4;
+    shiny.phong = 0.3;
+    std::vector<std::uint32_t> opaque{s.matt({0.2, 0.9, 0.3}), s.mirror()};
+    if (random() % 3 == 0) opaque.push_back(s.material(shiny));
+    std::vector<std::uint32_t> glass{s.glass(1.5), s.glass(1.3, {0.9, 0.5, 0.7})};
+    Material polished = s.scene.materials[s.glass(1.7, {0.8, 1, 1})];
+    polished.fresnel = random() % 2 == 0;
+    polished.reflection = Color(0.3, 0.2, 0.4);
+    polished.phong = 0.5;
+    polished.filter = 0.3;
+    polished.transmission = 0.4;
+    polished.diffuse = 0.5;
+    glass.push_back(s.material(polished));
+    if (random() % 3 == 0) glass.push_back(s.glass(1));
+    if (random() % 3 == 0) {
+        Material deep = s.scene.materials[glass[0]];
+        deep.absorption = Color(0.5, 0.1, 0.2);
+        glass.push_back(s.material(deep));
+    }
+    const auto some = [&](const std::vector<std::uint32_t>& of) {
+        return of[random() % of.size()];
+    };
+    for (int i = 0; i < 10; ++i) {
+        const Vec3d at(between(-2, 2), between(0, 1.5), between(-2, 2));
+        const double radius = between(0.1, 0.6);
+        switch (random() % 8) {
+            case 0:  // in each other, more than are tracked side by side
+                for (int k = 0; k < 7; ++k) s.add(Sphere{at, radius * (1 - 0.1 * k)}, some(glass));
+                break;
+            case 1:  // one holds an opaque one, which it touches
+                s.add(Sphere{at, radius}, some(glass));
+                s.add(Sphere{at + Vec3d(0, radius / 2, 0), radius / 2}, some(opaque));
+                break;
+            case 2:  // glued, and one twice
+                s.add(Box{at, at + Vec3d(radius, 0.5, 0.5)}, glass[0]);
+                s.add(Box{at + Vec3d(radius, 0, 0), at + Vec3d(2 * radius, 0.5, 0.5)}, glass[0]);
+                s.add(Sphere{at, radius / 2}, glass[1]);
+                s.add(Sphere{at, radius / 2}, glass[1]);
+                break;
+            case 3:
+                s.add(Box{{at.x, 0, at.z}, {at.x + radius, radius, at.z + radius}}, some(glass));
+                break;
+            case 4:
+                s.add(Cylinder{at, at + Vec3d(0.1, radius, 0), radius / 3}, some(glass));
+                break;
+            case 5:
+                s.add(Sphere{at, radius}, some(opaque));
+                break;
+            default:
+                s.add(Sphere{{at.x, radius, at.z}, radius}, some(glass));
+                s.add(Sphere{{at.x + 2 * radius, radius, at.z}, radius}, some(glass));
+        }
+        if (random() % 8 == 0) s.scene.objects.back().casts_shadow = false;
+    }
+    return s.scene;
+}
+
+TEST(WideLevels, GlassIsTheSame) {
+    int wide = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed)
+        wide += expect_same_on_all_levels(glassware(seed), "seed " + std::to_string(seed));
+    EXPECT_GE(wide, supported_wide_levels().empty() ? 0 : 35) << "too few went side by side";
+}
+
+/// More rays of a level than a wave holds, and more sums than a tile keeps: the rest goes one by
+/// one.
+TEST(WideLevels, GlassWithMoreRaysThanThereIsRoomForIsTheSame) {
+    Stage s;
+    s.scene.width = s.scene.height = 16;
+    s.scene.settings.max_depth = 20;
+    s.scene.settings.min_contribution = 0;
+    s.look({0, 0.5, 6}, {0, 0.5, 0}, 20);
+    s.lamp({1, 5, 2});
+    Material half = s.scene.materials[s.glass(1.5)];
+    half.reflection = Color(0.5);
+    const std::uint32_t material = s.material(half);
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y) s.add(Sphere{{x * 1.0, 0.5 + y, 0}, 0.49}, material);
+    EXPECT_TRUE(expect_same_on_all_levels(s.scene, "full") || supported_wide_levels().empty());
+}
+
 /// Starts of mirrored rays next to the surface, lights in it, giants and specks: lanes are unsure.
 TEST(WideLevels, WhatIsUnsureIsTheSame) {
     for (const double size : {1e-9, 1e-4, 1.0, 1e5}) {

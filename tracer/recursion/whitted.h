@@ -44,23 +44,34 @@ class Whitted {
         return color;
     }
 
-    /// The colour that a ray brings which is in no body.
-    Vec3<Real> trace_outside(const Ray<Real>& ray, const Start<Real>& start, Real weight,
-                             int level) {
+    /// The colour that a ray brings, which the surface that it starts on has turned into this
+    /// direction, term by term: the sum of what add() gets, in this order, from 0 on.
+    ///
+    /// \param weight, level  see is_followed()
+    /// \param through  what the surfaces and media before let pass
+    template <class Add>
+    void follow(const Ray<Real>& ray, const Start<Real>& start, const Media& media, Real weight,
+                int level, const Vec3<Real>& through, const Add& add) {
         const SurfaceId turn = start.surfaces.empty() ? SurfaceId{} : start.surfaces.front();
-        return trace(ray, start, Media{}, weight, level, turn);
+        follow(ray, start, media, weight, level, turn, through, add);
     }
 
   private:
     using Step = Crossed<Real, Media>;
 
-    /// \param weight, level  see is_followed()
     /// \param turn  the surface that turned the ray into this direction
-    Vec3<Real> trace(Ray<Real> ray, Start<Real> start, Media media, Real weight, int level,
-                     SurfaceId turn) {
-        RayCounts& counts = lighting_.counts;
+    Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, const Media& media,
+                     Real weight, int level, const SurfaceId& turn) {
         Vec3<Real> result(0);
-        Vec3<Real> through(1);  // what the surfaces and media on the way let pass
+        follow(ray, start, media, weight, level, turn, Vec3<Real>(1),
+               [&](const Vec3<Real>& light) { result += light; });
+        return result;
+    }
+
+    template <class Add>
+    void follow(Ray<Real> ray, Start<Real> start, Media media, Real weight, int level,
+                SurfaceId turn, Vec3<Real> through, const Add& add) {
+        RayCounts& counts = lighting_.counts;
         int straight_passes{};
         lighting_.recorder.start(ray, start.t, media, weight, level);
         bool looks_ahead = level == 0 && seen_through != nullptr;
@@ -74,9 +85,11 @@ class Whitted {
                 counts.media_lost += drop_bounded(world_, media.bodies);
                 const Vec3<Real> arrives = through * transmittance_to_infinity(media);
                 lighting_.recorder.end_in_background(arrives);
-                if (!looks_ahead) return result + arrives * color_behind(world_, ray.dir);
-                *seen_through = arrives;
-                return result;
+                if (looks_ahead)
+                    *seen_through = arrives;
+                else
+                    add(arrives * color_behind(world_, ray.dir));
+                return;
             }
             const Real t = contact.front().t;
             if (world_.has_media) {
@@ -98,18 +111,18 @@ class Whitted {
                 if (lighting_.record != nullptr) lighting_.record->remember(surfaces.front(), t);
                 bend(surfaces.front(), c);
                 lighting_.recorder.bend(c.ratio, c.total);
-                share = shade(surfaces, c, through, weight, level, result);
+                share = shade(surfaces, c, through, weight, level, add);
             }
             if (share.ended) {
                 lighting_.recorder.end_opaque();
-                return result;
+                return;
             }
             through = through * share.light;
             weight *= share.weight;
             if (c.ratio == 1) {
                 if (++straight_passes > max_straight_passes) {
                     lighting_.recorder.end_after_passes();
-                    return result;
+                    return;
                 }
                 media = after;
                 start = {t, std::move(touched), start.left, false};
@@ -117,7 +130,7 @@ class Whitted {
             }
             if (!is_followed(limits_, weight, level + 1)) {
                 lighting_.recorder.end_at_limit(weight, level + 1);
-                return result;
+                return;
             }
             ++(c.total ? counts.reflected : counts.transmitted);
             lighting_.recorder.begin_bent(c.total);
@@ -132,7 +145,6 @@ class Whitted {
             lighting_.recorder.start(ray, start.t, media, weight, level);
         }
         lighting_.recorder.end_at_limit(weight, level);
-        return result;
     }
 
     /// What is around a ray that leaves a surface. Where it is follows from the geometric normal;
@@ -160,9 +172,10 @@ class Whitted {
         Real weight = 1;
     };
 
-    /// Adds what the contact itself sends, and what it mirrors, to `result`.
+    /// Adds what the contact itself sends, and what it mirrors.
+    template <class Add>
     Share shade(const Surfaces<Real>& surfaces, const Step& c, const Vec3<Real>& through,
-                Real weight, int level, Vec3<Real>& result) {
+                Real weight, int level, const Add& add) {
         Share share;
         // One optical step in a contact, so one Fresnel term.
         const auto weighted =
@@ -171,7 +184,7 @@ class Whitted {
         for (const Surface<Real>& s : surfaces) {
             lighting_.note(event_of(s));
             lighting_.recorder.shade(s, through, share.light);
-            result += through * share.light * lighting_.local_color(s, c);
+            add(through * share.light * lighting_.local_color(s, c));
             if (lighting_.record != nullptr) lighting_.record->settled = true;
             const bool passes = max_component(s.transmittance) > 0;
             if (passes && c.total) {
@@ -188,9 +201,9 @@ class Whitted {
                 lighting_.recorder.begin_mirrored(through, share.light, mirror, mirror_weight);
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
-                result += through * share.light * mirror *
-                          trace(ray, {0, c.touched, left_for_good(s, direction)},
-                                leaving(s, c, direction, false), mirror_weight, level + 1, s.id);
+                add(through * share.light * mirror *
+                    trace(ray, {0, c.touched, left_for_good(s, direction)},
+                          leaving(s, c, direction, false), mirror_weight, level + 1, s.id));
                 lighting_.recorder.end_call();
             } else {
                 lighting_.recorder.skip_mirrored(mirror, mirror_weight);

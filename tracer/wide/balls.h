@@ -30,44 +30,146 @@ struct BallGuess {
     }
 };
 
-/// Adds the crossings of rays that do not start on the ball: both_crossings().
+/// |f|^2 - r^2 with its relative precision near the surface: Power.
+struct BallPower {
+    Numbers value, terms;
+
+    LANCER_INLINE BallPower(const Ball& ball, const Rays& r, const Vectors& f) {
+        const Numbers ff = dot(f, f);
+        const Numbers radius = all(ball.radius);
+        const Numbers rr = radius * radius;
+        value = ff - rr;
+        terms = ff + rr;
+        const Mask far = less(ff, all(2.0) * value);
+        if (far == 255) return;
+        const Vectors size = absolute(f);
+        const Mask first = less(size.y, size.x);
+        const Mask is_x = first & less(size.z, size.x);
+        const Mask is_y = ~first & less(size.z, size.y);
+        // The largest component in front, the others in turn.
+        const auto turned = [&](const Vectors& v) {
+            return Vectors{select(is_x, v.x, select(is_y, v.y, v.z)),
+                           select(is_x, v.y, select(is_y, v.z, v.x)),
+                           select(is_x, v.z, select(is_y, v.x, v.y))};
+        };
+        const Numbers along = turned(f).x;
+        const Numbers lost =
+            lost_from_start(turned(r.origin).x, turned(r.origin_lo).x, turned(all(ball.center)).x);
+        const Numbers low = select(less(along, all(0.0)), -lost, lost);
+        const Vectors sizes = turned(size);
+        const Numbers high = ((sizes.x - radius) + low) * (sizes.x + radius);
+        const Numbers rest = sizes.y * sizes.y + sizes.z * sizes.z;
+        value = select(far, value, high + rest);
+        terms = select(far, terms, absolute(high) + rest);
+    }
+};
+
+/// Where lines that do not start on the ball meet it: both_crossings().
+struct BallRoots {
+    Numbers in, out;
+    Mask met;   ///< lines that do
+    Mask near;  ///< of those, lines of which one root is a quotient: see there
+
+    LANCER_INLINE BallRoots(const Ball& ball, const Rays& r, Mask active) : met(active) {
+        f_ = start_from(r, all(ball.center));
+        Numbers middle = -dot(f_, r.dir) * r.inv_squared;
+        Vectors l = f_ + middle * r.dir;
+        const Numbers rest = -dot(l, r.dir) * r.inv_squared;
+        l = l + rest * r.dir;
+        middle = middle + rest;
+        const Numbers radius = all(ball.radius);
+        square_ = (radius * radius - dot(l, l)) * r.inv_squared;
+        met &= ~less(square_, all(0.0));
+        if (met == 0) return;
+        half_ = root(square_);
+        in = middle - half_;
+        out = middle + half_;
+        q_ = middle + with_sign(half_, middle);
+        near = met & at_most(absolute(middle), all(2.0) * half_) & ~equal(q_, all(0.0));
+        if (near != 0) divide(ball, r, middle);
+    }
+
+    /// Bounds on `in` and `out`.
+    LANCER_INLINE void bound_errors(const Ball& ball, const Rays& r, Numbers& in_error,
+                                    Numbers& out_error) const {
+        const Vectors size = absolute(f_);
+        const Numbers f_sum = size.x + size.y + size.z;
+        const Numbers start_error = r.origin_error + all(ball.transform_error);
+        const Numbers place = start_error + bound<3>() * (f_sum + all(ball.radius));
+        const Numbers w = place * (all(2.0) * all(ball.radius) + place) * r.inv_squared;
+        const Numbers error = chord_error(w, square_, half_) + place * root(r.inv_squared) +
+                              bound<6>() * absolute(q_);
+        in_error = out_error = error;
+        if (near == 0) return;
+        const Numbers c_error = bound<5>() * terms_ + all(2.0) * start_error * f_sum;
+        const Mask first = less(all(0.0), q_);
+        const Numbers t = absolute(select(first, in, out));
+        const Numbers divided =
+            (c_error * r.inv_squared + t * error) / absolute(q_) + bound<5>() * t;
+        in_error = select(near & first, divided, error);
+        out_error = select(near & ~first, divided, error);
+    }
+
+  private:
+    LANCER_INLINE void divide(const Ball& ball, const Rays& r, const Numbers& middle) {
+        const BallPower c(ball, r, f_);
+        terms_ = c.terms;
+        const Numbers t = c.value * r.inv_squared / q_;
+        const Mask first = less(all(0.0), q_);
+        in = select(near & first, t, in);
+        out = select(near & ~first, t, out);
+        const Mask crossed = near & less(out, in);
+        in = select(crossed, middle, in);
+        out = select(crossed, middle, out);
+    }
+
+    Vectors f_;
+    Numbers square_, half_, q_, terms_;
+};
+
+/// The second crossing of rays that start on the ball: crossing_from_surface().
+struct BallFromSurface {
+    Numbers t, error;
+
+    LANCER_INLINE BallFromSurface(const Ball& ball, const Rays& r) {
+        const Vectors f = start_from(r, all(ball.center));
+        t = all(-2.0) * dot(f, r.dir) * r.inv_squared;
+        const Numbers size = dot(absolute(f), absolute(r.dir));
+        error = bound<8>() * size * r.inv_squared +
+                all(2.0) * (r.origin_error + all(ball.transform_error)) * root(r.inv_squared) +
+                bound<7>() * absolute(t);
+    }
+};
+
+/// Adds the crossings of rays that do not start on the ball.
 ///
-/// \return the rays that are too near for the plain roots, nothing added
+/// \return rays that are in the ball and do not meet it, but by rounding; nothing added
 LANCER_INLINE Mask ball_crossings(const Ball& ball, std::uint32_t item, const Rays& r, Mask active,
-                                  NearestHits& hits) {
+                                  const Ways& ways, NearestHits& hits) {
     BallGuess guess(ball, r, active);
+    guess.may_meet |= active & ways.inside;
     if (guess.may_meet == 0) return 0;
     guess.cut(r, hits.limit);
-    Mask mask = guess.may_meet;
-    if (mask == 0) return 0;
-    const Vectors f = start_from(r, all(ball.center));
-    Numbers middle = -dot(f, r.dir) * r.inv_squared;
-    Vectors l = f + middle * r.dir;
-    const Numbers rest = -dot(l, r.dir) * r.inv_squared;
-    l = l + rest * r.dir;
-    middle = middle + rest;
-    const Numbers radius = all(ball.radius);
-    const Numbers square = (radius * radius - dot(l, l)) * r.inv_squared;
-    mask &= ~less(square, all(0.0));
-    if (mask == 0) return 0;
-    const Numbers half = root(square);
-    const Numbers t_in = middle - half;
-    const Numbers t_out = middle + half;
-    const Numbers q = middle + with_sign(half, middle);
-    const Mask near = mask & at_most(absolute(middle), all(2.0) * half) & ~equal(q, all(0.0));
-    mask &= ~near & ~less(hits.limit, t_in);
-    if (mask == 0) return near;
+    const Mask asked = guess.may_meet | (active & ways.inside);
+    if (asked == 0) return 0;
+    const BallRoots roots(ball, r, asked);
+    const Mask lost = active & ways.inside & ~roots.met;
+    const Mask enters = roots.met & ways.in & ~less(hits.limit, roots.in);
+    const Mask leaves = roots.met & ways.out & ~less(hits.limit, roots.out);
+    if ((enters | leaves) == 0) return lost;
+    Numbers in_error, out_error;
+    roots.bound_errors(ball, r, in_error, out_error);
+    hits.add_ahead(enters, roots.in, in_error, item, enters);
+    hits.add_ahead(leaves & ~less(hits.limit, roots.out), roots.out, out_error, item, 0);
+    return lost;
+}
 
-    const Vectors size = absolute(f);
-    const Numbers f_sum = size.x + size.y + size.z;
-    const Numbers start_error = r.origin_error + all(ball.transform_error);
-    const Numbers place = start_error + bound<3>() * (f_sum + radius);
-    const Numbers w = place * (all(2.0) * radius + place) * r.inv_squared;
-    const Numbers error =
-        chord_error(w, square, half) + place * root(r.inv_squared) + bound<6>() * absolute(q);
-    hits.add_ahead(mask, t_in, error, item, mask);
-    hits.add_ahead(mask & ~less(hits.limit, t_out), t_out, error, item, 0);
-    return near;
+/// The same for rays that start on it. What they leave they do not enter at once.
+LANCER_INLINE void crossings_from_ball(const Ball& ball, std::uint32_t item, const Rays& r,
+                                       Mask active, const Ways& ways, NearestHits& hits) {
+    const BallFromSurface other(ball, r);
+    const Mask leaves = active & ways.out & ~less(other.t, all(0.0)) & ~less(hits.limit, other.t);
+    hits.add_ahead(leaves, other.t, other.error, item, 0);
 }
 
 /// Whether the ball hides the light from eight rays that do not start on it.

@@ -73,18 +73,22 @@ struct BoxSpans {
 };
 
 /// Adds the crossings of rays that do not start on the box.
-LANCER_INLINE void box_crossings(const Box& box, std::uint32_t item, const Rays& r, Mask active,
-                                 NearestHits& hits) {
+///
+/// \return rays that are in the box and do not meet it, but by rounding; nothing added
+LANCER_INLINE Mask box_crossings(const Box& box, std::uint32_t item, const Rays& r, Mask active,
+                                 const Ways& ways, NearestHits& hits) {
     const BoxSpans span(box, r, active);
-    const auto offer = [&](const Numbers& t, const Numbers& error, Mask entering) {
-        const Mask asked = span.met & less(absolute(t), all(infinity)) & ~less(hits.limit, t);
+    const auto offer = [&](Mask way, const Numbers& t, const Numbers& error, Mask entering) {
+        const Mask asked = span.met & way & less(absolute(t), all(infinity)) & ~less(hits.limit, t);
         return hits.add_ahead(asked, t, error, item, entering);
     };
-    if (span.met == 0) return;
-    for_each_lane(offer(span.in, span.in_error, 255),
+    const Mask lost = active & ways.inside & ~span.met;
+    if (span.met == 0) return lost;
+    for_each_lane(offer(ways.in, span.in, span.in_error, 255),
                   [&](int i) { hits.face[i] = span.in_face(i); });
-    for_each_lane(offer(span.out, span.out_error, 0),
+    for_each_lane(offer(ways.out, span.out, span.out_error, 0),
                   [&](int i) { hits.face[i] = span.out_face(i); });
+    return lost;
 }
 
 /// Whether the box hides the light from eight rays that do not start on it.

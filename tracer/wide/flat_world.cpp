@@ -15,6 +15,8 @@ static_assert(sizeof(TriangleBlock) == sizeof(TriangleLeaf<double>));
 static_assert(offsetof(TriangleBlock, corner) == offsetof(TriangleLeaf<double>, corner));
 static_assert(offsetof(TriangleBlock, face) == offsetof(TriangleLeaf<double>, face));
 static_assert(sizeof(Vec3d) == sizeof(double[3]));
+static_assert(sizeof(Bounds<double>) == sizeof(double[6]));
+static_assert(offsetof(Bounds<double>, max) == sizeof(Vec3d));
 static_assert(sizeof(lancer::Mesh::Corners) == sizeof(std::uint32_t[3]));
 static_assert(nothing == none);
 
@@ -37,6 +39,16 @@ Frame frame_of(const lancer::Frame<double>& frame) {
     return f;
 }
 
+/// Whether wide code knows what a glassy item does to light. On smooth meshes light is bent by
+/// another list of bodies.
+bool is_clear(const Item& item, const Primitive<double>& primitive, const World<double>& world) {
+    if (!primitive.transmissive || !primitive.medium || world.has_smooth_media) return false;
+    if (item.kind != Kind::ball && item.kind != Kind::box) return false;
+    const lancer::Finish<double>& finish = world.finishes[primitive.material];
+    return finish.texture == none && !finish.absorbs && !finish.lit_from_behind &&
+           primitive.casts_shadow;
+}
+
 Tree tree_of(const Bvh<double>& bvh) {
     Tree tree{};
     tree.nodes = reinterpret_cast<const Node*>(bvh.nodes.data());
@@ -53,10 +65,11 @@ FlatWorld::FlatWorld(const World<double>& world) {
     finish_of_composites_ = static_cast<std::uint32_t>(world.finishes.size());
     frames_.reserve(world.frames.size());
     for (const lancer::Frame<double>& f : world.frames) frames_.push_back(frame_of(f));
-    for (const Primitive<double>& p : world.primitives) add(p);
+    for (const Primitive<double>& p : world.primitives) add(p, world);
     for (const lancer::Finish<double>& f : world.finishes) add(f, world);
     finishes_.emplace_back();  // finish_of_composites_: not plain
     for (const LightSource<double>& light : world.lights) add(light, world);
+    scene_.has_glassy = world.has_media || world.has_transmission;
     scene_.tree = tree_of(world.bvh);
     scene_.items = items_.data();
     scene_.bounded = world.bounded;
@@ -67,13 +80,17 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.boxes = boxes_.data();
     scene_.frustums = frustums_.data();
     scene_.finishes = finishes_.data();
+    if (world.has_media) {
+        scene_.medium_slots = medium_slots_.data();
+        scene_.medium_bounds = reinterpret_cast<const double(*)[6]>(world.medium_bounds.data());
+    }
     scene_.lights = lights_.data();
     scene_.light_count = lights_.size();
     put(world.background + Vec3d(0), scene_.background);
     scene_.has_sky = world.sky.has_value();
 }
 
-void FlatWorld::add(const Primitive<double>& primitive) {
+void FlatWorld::add(const Primitive<double>& primitive, const World<double>& world) {
     Item item;
     if (primitive.frame == none) item = add_in_world(primitive.solid);
     if (const auto* mesh = std::get_if<MeshInstance<double>>(&primitive.solid)) {
@@ -84,9 +101,11 @@ void FlatWorld::add(const Primitive<double>& primitive) {
     // A composite shows its leaves' materials, which the exact methods know.
     item.material = primitive.composite() == nullptr ? primitive.material : finish_of_composites_;
     item.convex = primitive.convex;
+    item.body = primitive.body;
     item.casts_shadow = primitive.casts_shadow;
-    item.glassy = primitive.transmissive || primitive.medium;
-    scene_.has_glassy = scene_.has_glassy || item.glassy;
+    item.glassy = primitive.transmissive || (primitive.medium && world.has_media);
+    item.clear = is_clear(item, primitive, world);
+    if (world.has_media) medium_slots_.push_back(primitive.medium_slot);
     items_.push_back(item);
 }
 
@@ -157,7 +176,10 @@ void FlatWorld::add(const lancer::Finish<double>& finish, const World<double>& w
     f.inverse_roughness = finish.inverse_roughness;
     f.opacity = 1 - finish.filter - finish.transmission;
     f.metallic = finish.metallic;
-    f.plain = !finish.fresnel && !finish.lit_from_behind;
+    put(finish.filter * finish.color + Vec3d(finish.transmission), f.transmittance);
+    f.ior = finish.ior;
+    f.fresnel = finish.fresnel ? 1 : 0;
+    f.plain = !finish.lit_from_behind;
     f.textured = finish.texture != none;
 }
 

@@ -18,7 +18,7 @@ class FlatWorld {
     const Scene& scene() const { return scene_; }
 
   private:
-    void add(const Primitive<double>& primitive);
+    void add(const Primitive<double>& primitive, const World<double>& world);
     Item add_in_world(const Solid<double>& solid);
     void add(const MeshInstance<double>& instance, const Frame* frame);
     void add(const lancer::Finish<double>& finish, const World<double>& world);
@@ -30,6 +30,7 @@ class FlatWorld {
     std::vector<Mesh> meshes_;
     std::vector<Box> boxes_;
     std::vector<Frustum> frustums_;
+    std::vector<std::uint32_t> medium_slots_;
     std::vector<Frame> frames_;  ///< as World::frames
     std::vector<Finish> finishes_;
     std::vector<Light> lights_;

@@ -27,6 +27,8 @@
 #include "tracer/wide/meshes.h"
 //
 #include "tracer/wide/nearest.h"
+#include "tracer/wide/passes.h"
+//
 #include "tracer/wide/shadows.h"
 //
 #include "tracer/wide/surface.h"
@@ -36,5 +38,9 @@
 #include "tracer/wide/surfaces.h"
 //
 #include "tracer/wide/lighting.h"
+#include "tracer/wide/optics.h"
 //
+#include "tracer/wide/chains.h"
 #include "tracer/wide/wave.h"
+//
+#include "tracer/wide/glass.h"

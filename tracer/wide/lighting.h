@@ -118,11 +118,34 @@ LANCER_INLINE void set_left(const Scene& scene, const NearestHits& hits, const S
     });
 }
 
+/// What is around rays before and behind what they hit.
+struct Around {
+    Bodies before, after;
+
+    /// Which of eight rays that start there in these directions go back to the side that the rays
+    /// came from: Crossed::towards().
+    LANCER_INLINE static Mask back(const Surfaces& s, const Rays& r, const Vectors& direction) {
+        const Numbers zero = all(0.0);
+        return less(zero, dot(s.geometric, direction)) ^ less(zero, dot(s.geometric, r.dir));
+    }
+    /// The bodies around such rays.
+    void put_towards(Mask is_back, Bodies& bodies) const {
+        bodies.depth = before.depth > after.depth ? before.depth : after.depth;
+        for (int k = 0; k < bodies.depth; ++k) {
+            for (int i = 0; i < lanes; ++i) {
+                const Bodies& from = (is_back >> i & 1) != 0 ? before : after;
+                bodies.item[k][i] = k < from.depth ? from.item[k][i] : nothing;
+            }
+        }
+    }
+};
+
 /// The surfaces' own light: Lighting::local_color().
 ///
 /// \param mirror  the rays' directions mirrored at the surfaces
+/// \param around  null where nothing is in a body
 inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, const Surfaces& s,
-                           const Vectors& mirror, Mask mask) {
+                           const Vectors& mirror, Mask mask, const Around* around = nullptr) {
     const Scene& scene = *job.scene;
     const Numbers zero = all(0.0);
     Vectors sum = s.opacity * s.color * s.own;
@@ -146,6 +169,8 @@ inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, con
             job.counts.shadow += static_cast<std::uint64_t>(__builtin_popcount(lit));
             const Rays to_light = make_rays(s.position, s.position_lo, at.direction, s.error);
             set_left(scene, hits, s, at.direction, lit, starts);
+            if (around != nullptr)
+                around->put_towards(Around::back(s, r, at.direction), starts.bodies);
             lit = ShadowQuery(job, to_light, starts, at.distance, job.last_in_the_way[i])
                       .lit(lit, share);
             if (lit == 0) continue;

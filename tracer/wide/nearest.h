@@ -41,12 +41,14 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     }
     const Mask own = mask & equal(starts.item, index);
     const Mask others = mask & ~own;
+    const Ways ways(item, index, starts.bodies);
     Mask asked = mask;
     if (item.kind == Kind::ball) {
-        asked = own | ball_crossings(scene.balls[item.shape], index, r, others, hits);
+        const Ball& ball = scene.balls[item.shape];
+        asked = ball_crossings(ball, index, r, others, ways, hits);
+        if (own != 0) crossings_from_ball(ball, index, r, own, ways, hits);
     } else if (item.kind == Kind::box) {
-        asked = own;
-        box_crossings(scene.boxes[item.shape], index, r, others, hits);
+        asked = own | box_crossings(scene.boxes[item.shape], index, r, others, ways, hits);
     } else if (item.kind == Kind::frustum) {
         asked = own | FrustumGuess(scene.frustums[item.shape], r, others, hits.limit).unsettled;
     }

@@ -36,6 +36,14 @@ LANCER_INLINE Vectors start_from(const Rays& r, const Vectors& point) {
     return select(r.whole, plain, difference(r.origin, r.origin_lo, point));
 }
 
+/// lost_from_start() of one component.
+LANCER_INLINE Numbers lost_from_start(const Numbers& origin, const Numbers& origin_lo,
+                                      const Numbers& point) {
+    const NumberPair d = two_sum(origin, -point);
+    const Numbers rest = d.lo + origin_lo;
+    return rest - ((d.hi + rest) - d.hi);
+}
+
 [[gnu::noinline]] inline LaneRay lane_ray(const Rays& r, int i) {
     return {{lane(r.origin.x, i), lane(r.origin.y, i), lane(r.origin.z, i)},
             {lane(r.origin_lo.x, i), lane(r.origin_lo.y, i), lane(r.origin_lo.z, i)},
@@ -48,14 +56,74 @@ LANCER_INLINE Vectors start_from(const Rays& r, const Vectors& point) {
             (r.whole >> i & 1) != 0};
 }
 
-/// What eight rays start on, and what they leave for good; `nothing` in lanes without.
+/// The bodies that eight rays are inside of, in the order entered: MediaList.
+struct Bodies {
+    alignas(32) std::uint32_t item[most_bodies][lanes];  ///< `nothing` after a lane's last
+    int depth = 0;                                       ///< rows in use
+
+    /// The lanes that are inside of the item.
+    LANCER_INLINE Mask inside(std::uint32_t of) const {
+        Mask mask = 0;
+        for (int k = 0; k < depth; ++k) mask |= equal(item[k], of);
+        return mask;
+    }
+    /// The lanes that are inside of anything.
+    LANCER_INLINE Mask some() const { return depth == 0 ? 0 : 255 & ~equal(item[0], nothing); }
+    std::uint32_t last(int i) const {
+        int k = depth;
+        while (k > 0 && item[k - 1][i] == nothing) --k;
+        return k == 0 ? nothing : item[k - 1][i];
+    }
+    /// \return whether there was room
+    bool add(int i, std::uint32_t of) {
+        int k = depth;
+        while (k > 0 && item[k - 1][i] == nothing) --k;
+        if (k == most_bodies) return false;
+        if (k == depth) {
+            for (int other = 0; other < lanes; ++other) item[k][other] = nothing;
+            ++depth;
+        }
+        item[k][i] = of;
+        return true;
+    }
+    /// The lane is inside of it.
+    void remove(int i, std::uint32_t of) {
+        int k = 0;
+        while (item[k][i] != of) ++k;
+        for (; k + 1 < depth; ++k) item[k][i] = item[k + 1][i];
+        item[k][i] = nothing;
+    }
+};
+
+/// Where eight rays start: on what, what they leave for good, and inside of what; `nothing` in
+/// lanes without.
 struct Starts {
     alignas(32) std::uint32_t item[lanes];
     alignas(32) std::uint32_t left[lanes];
     alignas(32) std::uint32_t face[lanes];
     Mask entering = 0;
+    Bodies bodies;
 
-    LaneStart lane(int i) const { return {item[i], face[i], (entering >> i & 1) != 0, left[i]}; }
+    LaneStart lane(int i) const {
+        LaneStart start{item[i], face[i], (entering >> i & 1) != 0, left[i], {}};
+        for (int k = 0; k < most_bodies; ++k)
+            start.bodies[k] = k < bodies.depth ? bodies.item[k][i] : nothing;
+        return start;
+    }
+};
+
+/// Which crossings with an item count by the state rule of IntersectionFilter, by lanes.
+struct Ways {
+    Mask in = 255, out = 255;
+    Mask inside = 0;  ///< lanes that are in the item
+
+    LANCER_INLINE Ways(const Item& item, std::uint32_t index, const Bodies& bodies) {
+        if (!item.clear) return;
+        inside = bodies.inside(index);
+        in = 255 & ~inside;
+        out = inside;
+    }
+    Ways() = default;
 };
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -94,8 +94,11 @@ struct Item {
     std::uint32_t material = 0;
     Kind kind = Kind::other;
     bool convex = false;
+    bool body = false;
     bool casts_shadow = true;
-    bool glassy = false;  ///< lets light pass, or is a medium: rays that meet it are scalar code's
+    bool glassy = false;  ///< lets light pass, or is a medium
+    /// Glassy, and wide code knows what it does to light; else rays that meet it are scalar code's.
+    bool clear = false;
 };
 
 /// What of Finish<double> wide code computes with.
@@ -105,8 +108,11 @@ struct Finish {
     double own[3];  ///< ambient * World::ambient + emission
     double diffuse, phong, shininess, blinn, inverse_roughness, metallic;
     double opacity;
-    bool plain;     ///< its light is computed in lanes
-    bool textured;  ///< its colour is not
+    double transmittance[3];  ///< the share of light that passes, where it has no texture
+    double ior;
+    double fresnel;  ///< 1: `reflection` goes by Fresnel's equations, else 0
+    bool plain;      ///< its light is computed in lanes
+    bool textured;   ///< its colour is not
 };
 
 struct Light {
@@ -143,6 +149,8 @@ struct Scene {
     const Box* boxes;
     const Frustum* frustums;
     const Finish* finishes;
+    const std::uint32_t* medium_slots;  ///< of the items; null where nothing is a medium
+    const double (*medium_bounds)[6];   ///< Bounds<double>: World::medium_bounds
     const Light* lights;
     std::size_t light_count;
     double background[3];
@@ -160,11 +168,15 @@ struct LaneRay {
     bool whole;
 };
 
-/// What a ray starts on, if anything, and what it leaves for good.
+/// Lists of bodies that are longer are scalar code's.
+inline constexpr int most_bodies = 4;
+
+/// What a ray starts on, if anything, what it leaves for good, and what it is inside of.
 struct LaneStart {
     std::uint32_t item, face;
     bool entering;
     std::uint32_t left;
+    std::uint32_t bodies[most_bodies];  ///< in the order entered, then `nothing`
 };
 
 struct LaneHit {
@@ -191,14 +203,25 @@ struct HitSink {
     void (*add)(void* self, const LaneHit& hit);
 };
 
+/// Gets light.
+struct LightSink {
+    void* self;
+    void (*add)(void* self, const double* light);
+};
+
 /// The exact methods: what wide code asks where it is unsure, one ray at a time. Rays carry their
 /// own counts.
 class ExactMethods {
   public:
-    /// The light that a ray brings which is in no body.
+    /// The light that a ray brings; in worlds without glassy items, as `shade`.
     virtual void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
                        double* color) = 0;
-    /// The same where it is known what the ray meets first; in worlds without glassy items.
+    /// The same where there are glassy items, term by term.
+    ///
+    /// \param through  what the surfaces before let pass of it
+    virtual void follow(const LaneRay& ray, const LaneStart& start, double weight, int level,
+                        const double* through, const LightSink& sink) = 0;
+    /// The light that a ray brings where it is known what it meets first.
     virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
                        double* color) = 0;
     /// What a ray brings that hits nothing.
@@ -212,7 +235,7 @@ class ExactMethods {
     /// Whether the item lies on the way to a light.
     virtual bool blocks(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                         double distance) = 0;
-    /// The share of a light that reaches the start of a ray which is in no body, by colour.
+    /// The share of a light that reaches the start of a ray, by colour.
     virtual void light_share(const LaneRay& ray, const LaneStart& start, double distance,
                              double* share) = 0;
 
@@ -233,26 +256,53 @@ struct Wave {
     std::uint32_t sender[room];
     std::uint32_t item[room], face[room], left[room];
     bool entering[room];
+    // In worlds with glassy items, in place of `mirror` and `sender`:
+    double through[3][room];    ///< what the surfaces before let pass
+    std::uint32_t chain[room];  ///< that the ray's light belongs to
+    std::uint32_t bodies[most_bodies][room];
+    int deepest;  ///< no ray is in more bodies
     int count;
 };
 
+/// A part of the light of a chain.
+struct Term {
+    double light[3];      ///< or the factor of what `child` brings
+    std::uint32_t child;  ///< a chain; `nothing`: `light` is all
+    std::uint32_t next;   ///< index into Ledger::terms
+};
+
+/// The light of a ray and of what it goes on as, bent or mirrored as a whole, as a sum of terms.
+struct Chain {
+    std::uint32_t first, last;  ///< terms
+    double light[3];            ///< their sum, when all is traced
+};
+
+/// The light of a tile's rays as sums that are yet to be formed.
+struct Ledger {
+    Chain* chains;  ///< each after the one that it is a term of
+    std::uint32_t chain_count, chain_room;
+    Term* terms;
+    std::uint32_t term_count, term_room;
+    void (*grow)(Ledger& ledger);  ///< makes room for more terms
+};
+
 struct Counts {
-    std::uint64_t primary, shadow, reflected;
+    std::uint64_t primary, shadow, reflected, transmitted;
 };
 
 /// Everything that a tile of rays needs.
 struct Job {
     const Scene* scene;
     ExactMethods* exact;
-    /// The wave of a level below Scene::max_depth; the same at each call.
-    Wave* (*wave)(void* waves, int level);
+    Wave* (*wave)(void* waves, int index);  ///< the same at each call
     void* waves;
+    Ledger* ledger;                  ///< of worlds with glassy items
     std::uint32_t* last_in_the_way;  ///< an item for each light, or `nothing`: ShadowQuery
     Counts counts;
 };
 
 /// Traces camera rays through `count` points of the picture, in pixels, at most Wave::most; their
-/// light is then in the `color` of the wave of level 0.
+/// light is then in the `color` of the first wave.
 using TraceRays = void (*)(Job& job, const Camera& camera, const double* x, const double* y,
                            int count);
 

@@ -4,7 +4,8 @@
 namespace lancer::wide::LANCER_LEVEL {
 
 /// A ray is blocked as soon as one item blocks it for certain, whatever else lies on the way; where
-/// none does, and some may, the exact methods look at the whole way.
+/// none does, and some may, the exact methods look at the whole way. What lets light pass is
+/// collected meanwhile.
 class ShadowQuery {
   public:
     /// \param last  an item that was in this light's way a while ago, or `nothing`; gets the last
@@ -44,10 +45,9 @@ class ShadowQuery {
         }
         const Numbers one = all(1.0);
         share = {one, one, one};
-        for_each_lane(active & unsure_ & ~blocked_, [&](int i) {
+        for_each_lane(active & (unsure_ | passes_.some()) & ~blocked_, [&](int i) {
             double of_lane[3];
-            job_.exact->light_share(lane_ray(rays_, i), starts_.lane(i), lane(distance_, i),
-                                    of_lane);
+            put_share(i, of_lane);
             set_lane(share, i, of_lane);
             if (of_lane[0] == 0 && of_lane[1] == 0 && of_lane[2] == 0) blocked_ |= Mask(1) << i;
         });
@@ -55,6 +55,12 @@ class ShadowQuery {
     }
 
   private:
+    void put_share(int i, double* share) {
+        const LaneStart start = starts_.lane(i);
+        if ((unsure_ >> i & 1) == 0 && passes_.transmittance(scene_, i, start, share)) return;
+        job_.exact->light_share(lane_ray(rays_, i), start, lane(distance_, i), share);
+    }
+
     /// Unsure rays go on here, as a plane may yet block them.
     void ask_planes(Mask active) {
         for (std::uint32_t i = scene_.bounded; i < scene_.item_count; ++i) {
@@ -81,7 +87,19 @@ class ShadowQuery {
             return;
         }
         const Mask own = mask & equal(starts_.item, index);
+        if (item.clear && item.kind == Kind::ball) {
+            ball_passes(scene_.balls[item.shape], index, rays_, mask, own,
+                        starts_.bodies.inside(index), distance_, passes_);
+            unsure_ |= passes_.unsure;
+            return;
+        }
         const Mask others = mask & ~own;
+        if (item.clear && item.kind == Kind::box) {
+            box_passes(scene_.boxes[item.shape], index, rays_, others, starts_.bodies.inside(index),
+                       distance_, passes_);
+            unsure_ |= own | passes_.unsure;
+            return;
+        }
         if (item.kind == Kind::ball) {
             note(BallShadow(scene_.balls[item.shape], rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::box) {
@@ -127,6 +145,7 @@ class ShadowQuery {
     std::uint32_t& last_;
     Mask blocked_ = 0;
     Mask unsure_ = 0;
+    Passes passes_;
 };
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -7,6 +7,7 @@ namespace lancer::wide::LANCER_LEVEL {
 struct Surfaces {
     Vectors position, position_lo, geometric, normal, color, reflection, own;
     Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness, metallic;
+    Numbers ior, fresnel;
 };
 
 LANCER_INLINE void put(Mask mask, const VectorPair& place, const Numbers& error,

@@ -118,6 +118,8 @@ LANCER_INLINE void give_finish(const Finish& f, Surfaces& s, const Give& give) {
     give(s.blinn, f.blinn);
     give(s.inverse_roughness, f.inverse_roughness);
     give(s.metallic, f.metallic);
+    give(s.ior, f.ior);
+    give(s.fresnel, f.fresnel);
 }
 
 LANCER_INLINE void put_finishes(const Scene& scene, const NearestHits& hits, Mask mask,
@@ -142,8 +144,8 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     const Scene& scene = *job.scene;
     const Numbers zero = all(0.0);
     const Vectors zeros{zero, zero, zero};
-    s = {zeros, zeros, zeros, zeros, zeros, zeros, zeros, zero,
-         zero,  zero,  zero,  zero,  zero,  zero,  zero};
+    s = {zeros, zeros, zeros, zeros, zeros, zeros, zeros, zero, zero,
+         zero,  zero,  zero,  zero,  zero,  zero,  zero,  zero};
     put_finishes(scene, hits, mask, s);
     Mask balls = 0;
     Mask planes = 0;

@@ -4,11 +4,6 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// mirrored()
-LANCER_INLINE Vectors mirrored(const Vectors& d, const Vectors& n) {
-    return normalize(d - all(2.0) * dot(d, n) * n);
-}
-
 LANCER_INLINE Vectors load(const double (*from)[Wave::room], int at) {
     return {load(from[0] + at), load(from[1] + at), load(from[2] + at)};
 }
@@ -21,6 +16,24 @@ LANCER_INLINE void store_packed(double (*to)[Wave::room], int at, Mask mask, con
     store_packed(to[0] + at, mask, v.x);
     store_packed(to[1] + at, mask, v.y);
     store_packed(to[2] + at, mask, v.z);
+}
+
+/// Gives numbers to what whole vectors read behind the last ray.
+inline void pad(Wave& wave) {
+    const Numbers zero = all(0.0);
+    const Vectors zeros{zero, zero, zero};
+    const int at = wave.count;
+    store(wave.origin, at, zeros);
+    store(wave.origin_lo, at, zeros);
+    store(wave.dir, at, zeros);
+    store(wave.through, at, zeros);
+    store(wave.error + at, zero);
+    store(wave.weight + at, zero);
+    for (int i = at; i < at + lanes; ++i) {
+        wave.item[i] = wave.left[i] = nothing;
+        wave.face[i] = 0;
+        wave.entering[i] = false;
+    }
 }
 
 /// The first wave: camera_ray() of rays/camera.h for a camera near the scene, eight rays at a time.
@@ -41,7 +54,11 @@ inline void send_from_camera(const Camera& camera, const double* x, const double
         store(wave.dir, at, camera.orthographic ? forward : normalize(forward + aside));
         store(wave.error + at, zero);
         store(wave.weight + at, all(1.0));
-        for (int i = at; i < at + lanes; ++i) wave.item[i] = wave.left[i] = nothing;
+        for (int i = at; i < at + lanes; ++i) {
+            wave.item[i] = wave.left[i] = nothing;
+            wave.face[i] = 0;
+            wave.entering[i] = false;
+        }
     }
     wave.count = count;
 }
@@ -71,11 +88,8 @@ class Packet {
         Mask met = active & hits_.some & ~hits_.unsure;
         for_each_lane(met, [&](int i) {
             const Item& item = scene_.items[hits_.item[i]];
-            if (!item.glassy && scene_.finishes[item.material].plain) return;
-            if (scene_.has_glassy)
-                trace_exactly(i, starts);
-            else
-                shade_exactly(i);
+            if (scene_.finishes[item.material].plain) return;
+            shade_exactly(i);
             met &= ~(1U << i);
         });
         if (met != 0) shade(met);
@@ -109,10 +123,7 @@ class Packet {
         Surfaces s;
         make_surfaces(job_, rays_, hits_, met, s);
         const Vectors mirror = mirrored(rays_.dir, s.normal);
-        // Whitted begins its sum with 0, which takes the sign from a zero.
-        Vectors color = local_color(job_, rays_, hits_, s, mirror, met);
-        const Numbers zero = all(0.0);
-        if (scene_.has_glassy) color = Vectors{zero, zero, zero} + color;
+        const Vectors color = local_color(job_, rays_, hits_, s, mirror, met);
         store_some(wave_.color[0] + at_, met, color.x);
         store_some(wave_.color[1] + at_, met, color.y);
         store_some(wave_.color[2] + at_, met, color.z);
@@ -122,7 +133,13 @@ class Packet {
     /// Puts the mirrored rays into the next wave.
     void send_on(const Surfaces& s, const Vectors& mirror, Mask met) {
         if (next_ == nullptr) return;
-        const Numbers factor = max_component(s.reflection);
+        const Mask fresnel = met & less(all(0.0), s.fresnel);
+        const Numbers one = all(1.0);
+        const Vectors share =
+            fresnel == 0
+                ? s.reflection
+                : mirror_of(s, rays_.dir, opaque_index(scene_, hits_, s, one, fresnel), fresnel);
+        const Numbers factor = max_component(share);
         const Numbers weight = load(wave_.weight + at_) * factor;
         const Mask sent =
             met & less(all(0.0), factor) & at_most(all(scene_.min_contribution), weight);
@@ -135,7 +152,7 @@ class Packet {
         store_packed(next.origin, to, sent, s.position);
         store_packed(next.origin_lo, to, sent, s.position_lo);
         store_packed(next.dir, to, sent, mirror);
-        store_packed(next.mirror, to, sent, s.reflection);
+        store_packed(next.mirror, to, sent, share);
         store_packed(next.error + to, sent, s.error);
         store_packed(next.weight + to, sent, weight);
         for_each_lane(sent, [&](int i) {
@@ -159,9 +176,9 @@ class Packet {
     NearestHits hits_;
 };
 
-/// TraceRays
-inline void trace_rays(Job& job, const Camera& camera, const double* x, const double* y,
-                       int count) {
+/// TraceRays, in worlds without glassy items.
+inline void trace_opaque(Job& job, const Camera& camera, const double* x, const double* y,
+                         int count) {
     Wave* wave = job.wave(job.waves, 0);
     send_from_camera(camera, x, y, count, *wave);
     job.counts.primary += static_cast<std::uint64_t>(count);
@@ -170,6 +187,7 @@ inline void trace_rays(Job& job, const Camera& camera, const double* x, const do
     for (;; ++level) {
         Wave* next = level + 1 < deepest ? job.wave(job.waves, level + 1) : nullptr;
         if (next != nullptr) next->count = 0;
+        pad(*wave);
         for (int at = 0; at < wave->count; at += lanes) Packet(job, *wave, next, level, at).trace();
         if (next == nullptr || next->count == 0) break;
         wave = next;

@@ -44,6 +44,12 @@ lancer::Start<double> start_of(const LaneStart& from) {
     start.left = from.left;
     return start;
 }
+MediaList bodies_of(const LaneStart& from) {
+    MediaList bodies;
+    for (const std::uint32_t body : from.bodies)
+        if (body != none) bodies.push_back(body);
+    return bodies;
+}
 Hit<double> hit_of(const LaneHit& h) {
     return {h.t, h.error, {h.item, h.face, h.entering}, h.u, h.v};
 }
@@ -66,8 +72,18 @@ class ScalarMethods final : public ExactMethods {
                double* color) override {
         if constexpr (is_opaque<Tracer>)
             put(tracer_.trace(ray_of(ray), start_of(start), weight, level), color);
-        else
-            put(tracer_.trace_outside(ray_of(ray), start_of(start), weight, level), color);
+    }
+
+    void follow(const LaneRay& ray, const LaneStart& start, double weight, int level,
+                const double* through, const LightSink& sink) override {
+        if constexpr (!is_opaque<Tracer>) {
+            tracer_.follow(ray_of(ray), start_of(start), media_of(start), weight, level,
+                           vector_of(through), [&](const Vec3d& light) {
+                               double one[3];
+                               put(light, one);
+                               sink.add(sink.self, one);
+                           });
+        }
     }
 
     void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
@@ -107,17 +123,13 @@ class ScalarMethods final : public ExactMethods {
                    const HitSink& sink) override {
         const Ray<double> ray = ray_of(lane_ray);
         const lancer::Start<double> start = start_of(lane_start);
-        const NoMedia nowhere;
-        const IntersectionFilter<double, NoMedia> accept(world_, start, nowhere);
-        const Primitive<double>& primitive = world_.primitives[item];
-        const bool glassy = primitive.transmissive || primitive.medium;
+        const Around around = around_of(lane_start);
+        const IntersectionFilter<double, Around> accept(world_, start, around);
         const auto limit = [&] { return sink.limit(sink.self); };
         const RayInterval<double, decltype(limit)> interval{0, limit};
         crossings_from(world_, item, ray, accept, accept.hints(item), interval,
                        [&](const Crossing<double>& c, double u, double v) {
-                           // Which crossings with glass count is not asked here: what it may
-                           // be met by is left to the recursion.
-                           if (glassy ? c.t >= -c.error : accept(item, c))
+                           if (accept(item, c))
                                sink.add(sink.self, {accept.met_at(c), c.error, u, v, item, c.face,
                                                     c.entering});
                            return false;
@@ -145,12 +157,28 @@ class ScalarMethods final : public ExactMethods {
 
     void light_share(const LaneRay& ray, const LaneStart& start, double distance,
                      double* share) override {
-        using Around = std::conditional_t<is_opaque<Tracer>, NoMedia, Media>;
-        Unrecorded nobody;
-        put(light_through(world_, ray_of(ray), distance, start_of(start), Around{}, nobody), share);
+        const Ray<double> r = ray_of(ray);
+        if constexpr (is_opaque<Tracer>)
+            put(light_through(world_, r, distance, start_of(start), NoMedia{}), share);
+        else
+            put(light_through(world_, r, distance, start_of(start), media_of(start)), share);
     }
 
   private:
+    using Around = std::conditional_t<is_opaque<Tracer>, NoMedia, MediaList>;
+
+    static Around around_of(const LaneStart& start) {
+        if constexpr (is_opaque<Tracer>)
+            return {};
+        else
+            return bodies_of(start);
+    }
+    Media media_of(const LaneStart& start) const {
+        Media media{bodies_of(start), {}};
+        if (world_.has_smooth_media) media.optical = media.bodies;
+        return media;
+    }
+
     const World<double>& world_;
     Tracer tracer_;
 };
@@ -167,6 +195,33 @@ Camera camera_of(const CameraFrame<double>& frame, int width, int height) {
     return camera;
 }
 
+/// The sums of a tile. Beyond so many chains rays go one by one, and take no more memory.
+class TileLedger : public Ledger {
+  public:
+    TileLedger() : Ledger{} {
+        grow = [](Ledger& self) { static_cast<TileLedger&>(self).add_room(); };
+    }
+    TileLedger(const TileLedger&) = delete;
+    TileLedger& operator=(const TileLedger&) = delete;
+
+    /// Before any is begun.
+    void make_chains() {
+        chain_room = 1U << 16;
+        own_chains_ = std::make_unique_for_overwrite<Chain[]>(chain_room);
+        chains = own_chains_.get();
+    }
+
+  private:
+    void add_room() {
+        own_terms_.resize(std::max<std::size_t>(1024, 2 * own_terms_.size()));
+        terms = own_terms_.data();
+        term_room = static_cast<std::uint32_t>(own_terms_.size());
+    }
+
+    std::unique_ptr<Chain[]> own_chains_;
+    std::vector<Term> own_terms_;
+};
+
 template <class Tracer>
 class LevelTracer final : public WideTracer {
   public:
@@ -182,6 +237,8 @@ class LevelTracer final : public WideTracer {
         job_.wave = wave;
         job_.waves = &waves_;
         job_.last_in_the_way = last_in_the_way_.data();
+        job_.ledger = &ledger_;
+        if constexpr (!is_opaque<Tracer>) ledger_.make_chains();
     }
 
     void trace(const CameraFrame<double>& frame, int width, int height, RayBatch& batch) override {
@@ -196,14 +253,18 @@ class LevelTracer final : public WideTracer {
         counts.primary += job_.counts.primary;
         counts.shadow += job_.counts.shadow;
         counts.reflected += job_.counts.reflected;
+        counts.transmitted += job_.counts.transmitted;
         return counts;
     }
 
   private:
-    static Wave* wave(void* waves, int level) {
+    static Wave* wave(void* waves, int number) {
         auto& all = *static_cast<std::vector<std::unique_ptr<Wave>>*>(waves);
-        const auto index = static_cast<std::size_t>(level);
-        while (all.size() <= index) all.push_back(std::make_unique<Wave>());
+        const auto index = static_cast<std::size_t>(number);
+        while (all.size() <= index) {
+            all.push_back(std::make_unique_for_overwrite<Wave>());
+            all.back()->count = all.back()->deepest = 0;
+        }
         return all[index].get();
     }
 
@@ -212,6 +273,7 @@ class LevelTracer final : public WideTracer {
     TraceRays code_;
     std::vector<std::unique_ptr<Wave>> waves_;
     std::vector<std::uint32_t> last_in_the_way_;
+    TileLedger ledger_;
     Job job_{};
 };
 

@@ -1,0 +1,341 @@
+// Waves of rays in worlds with glass: what is bent and what is mirrored goes on side by side.
+// Whitted for lanes. A ray that meets what wide code does not know, or is unsure of, is the scalar
+// recursion's from there on; what that finds is appended to the ray's chain of terms.
+#pragma once
+
+namespace lancer::wide::LANCER_LEVEL {
+
+/// Where bent rays of a level wait, and mirrored ones: apart, neighbours stay more alike.
+LANCER_INLINE Wave* bent_wave(Job& job, int level) {
+    return job.wave(job.waves, 2 * level);
+}
+LANCER_INLINE Wave* mirrored_wave(Job& job, int level) {
+    return job.wave(job.waves, 2 * level + 1);
+}
+
+/// Traces the rays of a wave from `at` on, eight at most.
+class GlassPacket {
+  public:
+    GlassPacket(Job& job, Wave& wave, int level, int at)
+        : job_(job), scene_(*job.scene), ledger_(*job.ledger), wave_(wave), level_(level), at_(at) {
+        const int rest = wave_.count - at_;
+        active_ = rest >= lanes ? 255U : (1U << rest) - 1;
+        rays_ = make_rays(load(wave_.origin, at_), load(wave_.origin_lo, at_), load(wave_.dir, at_),
+                          load(wave_.error + at_));
+        through_ = load(wave_.through, at_);
+        for (int i = 0; i < lanes; ++i) {
+            starts_.item[i] = wave_.item[at_ + i];
+            starts_.left[i] = wave_.left[at_ + i];
+            starts_.face[i] = wave_.face[at_ + i];
+            starts_.entering |= (wave_.entering[at_ + i] ? 1U : 0U) << i;
+        }
+        starts_.bodies.depth = wave_.deepest;
+        for (int k = 0; k < wave_.deepest; ++k)
+            for (int i = 0; i < lanes; ++i)
+                starts_.bodies.item[k][i] =
+                    i < rest ? wave_.bodies[k][at_ + i] : std::uint32_t(nothing);
+    }
+
+    [[gnu::noinline]] void trace() {
+        // Rays send on one chain each at most.
+        if (ledger_.chain_count + lanes > ledger_.chain_room) return follow_exactly(active_);
+        find_nearest(job_, rays_, starts_, active_, hits_);
+        Mask exact = hits_.unsure;
+        const Mask some_bodies = starts_.bodies.some();
+        // A way out of what they are in was lost.
+        const Mask missed = active_ & ~hits_.some & ~exact;
+        exact |= missed & some_bodies;
+        const Mask leaves = missed & ~some_bodies;
+        add_terms(leaves, through_ * behind(leaves));
+        Mask met = active_ & hits_.some & ~exact;
+        for_each_lane(met, [&](int i) {
+            const Item& item = scene_.items[hits_.item[i]];
+            if (item.glassy ? !item.clear : !scene_.finishes[item.material].plain)
+                exact |= Mask(1) << i;
+        });
+        exact |= met & some_bodies & lost();
+        met &= ~exact;
+        if (met != 0) exact |= cross(met);
+        met &= ~exact;
+        if (exact != 0) follow_exactly(exact);
+        if (met != 0) shade(met);
+    }
+
+  private:
+    /// What rays bring that hit nothing.
+    Vectors behind(Mask mask) const {
+        Vectors colors = all(scene_.background);
+        if (!scene_.has_sky) return colors;
+        for_each_lane(mask, [&](int i) {
+            double color[3];
+            job_.exact->behind(lane_ray(rays_, i).dir, color);
+            set_lane(colors, i, color);
+        });
+        return colors;
+    }
+
+    /// Rays that hit something where they can no more be in what they are said to be in:
+    /// drop_lost().
+    Mask lost() const {
+        const Vectors way = hits_.t * rays_.dir;
+        const Vectors point = (rays_.origin + way) + rays_.origin_lo;
+        const Numbers far = absolute(hits_.t);
+        const Numbers error = rays_.origin_error;
+        const Vectors slack = bound<16>() * (absolute(rays_.origin) + Vectors{far, far, far}) +
+                              Vectors{error, error, error};
+        Vectors min = point;
+        Vectors max = point;
+        Mask outside = 0;
+        for (int k = 0; k < starts_.bodies.depth; ++k) {
+            const std::uint32_t* body = starts_.bodies.item[k];
+            Mask mask = active_ & ~equal(body, nothing);
+            for_each_lane(mask, [&](int i) {
+                const double* bounds = scene_.medium_bounds[scene_.medium_slots[body[i]]];
+                set_lane(min, i, bounds);
+                set_lane(max, i, bounds + 3);
+            });
+            const Vectors low = min - slack;
+            const Vectors high = max + slack;
+            mask &= at_most(low.x, point.x) & at_most(low.y, point.y) & at_most(low.z, point.z) &
+                    at_most(point.x, high.x) & at_most(point.y, high.y) & at_most(point.z, high.z);
+            outside |= active_ & ~equal(body, nothing) & ~mask;
+        }
+        return outside;
+    }
+
+    void follow_exactly(Mask mask) {
+        struct Sum {
+            Ledger& ledger;
+            std::uint32_t chain;
+        };
+        for_each_lane(mask, [&](int i) {
+            Sum sum{ledger_, wave_.chain[at_ + i]};
+            const LightSink sink{&sum, [](void* self, const double* light) {
+                                     const Sum& to = *static_cast<Sum*>(self);
+                                     add_term(to.ledger, to.chain, light, nothing);
+                                 }};
+            const double through[] = {lane(through_.x, i), lane(through_.y, i),
+                                      lane(through_.z, i)};
+            job_.exact->follow(lane_ray(rays_, i), starts_.lane(i), wave_.weight[at_ + i], level_,
+                               through, sink);
+        });
+    }
+
+    void add_terms(Mask mask, const Vectors& light) {
+        for_each_lane(mask, [&](int i) {
+            const double one[] = {lane(light.x, i), lane(light.y, i), lane(light.z, i)};
+            add_term(ledger_, wave_.chain[at_ + i], one, nothing);
+        });
+    }
+
+    double index_around(const Bodies& bodies, int i) const {
+        const std::uint32_t body = bodies.last(i);
+        return body == nothing ? 1 : scene_.finishes[scene_.items[body].material].ior;
+    }
+
+    /// What is behind the hits: crossed().
+    ///
+    /// \return hits that are left to scalar code: more bodies than there is room for, or light that
+    ///         goes straight on
+    Mask cross(Mask met) {
+        around_.before = starts_.bodies;
+        around_.after = starts_.bodies;
+        ratio_ = index_before_ = all(1.0);
+        glass_ = 0;
+        Mask exact = 0;
+        const bool some_bodies = starts_.bodies.depth != 0;
+        for_each_lane(met, [&](int i) {
+            const double before = some_bodies ? index_around(around_.before, i) : 1;
+            set_lane(index_before_, i, before);
+            const std::uint32_t item = hits_.item[i];
+            if (!scene_.items[item].clear) return;
+            const Mask bit = Mask(1) << i;
+            glass_ |= bit;
+            if ((hits_.entering & bit) == 0) {
+                around_.after.remove(i, item);
+            } else if (!around_.after.add(i, item)) {
+                exact |= bit;
+                return;
+            }
+            const double ratio = before / index_around(around_.after, i);
+            if (ratio == 1) exact |= bit;
+            set_lane(ratio_, i, ratio);
+        });
+        return exact;
+    }
+
+    /// Whitted::shade() and the bend, for hits that are known.
+    void shade(Mask met) {
+        make_surfaces(job_, rays_, hits_, met, surfaces_);
+        const Surfaces& s = surfaces_;
+        const Mask glass = glass_ & met;
+        const Vectors mirror = mirrored(rays_.dir, s.normal);
+        const Around* around = starts_.bodies.depth != 0 || glass != 0 ? &around_ : nullptr;
+        add_terms(met, through_ * local_color(job_, rays_, hits_, s, mirror, met, around));
+
+        const Numbers zero = all(0.0);
+        const Numbers one = all(1.0);
+        Vectors bent = mirror;
+        Vectors passes{zero, zero, zero};
+        Mask total = 0;
+        if (glass != 0) {
+            const Refracted refracted(rays_.dir, s.normal, ratio_);
+            total = refracted.total & glass;
+            bent = select(total, mirror, refracted.bent);
+            for_each_lane(glass, [&](int i) {
+                const Item& item = scene_.items[hits_.item[i]];
+                set_lane(passes, i, scene_.finishes[item.material].transmittance);
+            });
+        }
+        const Mask clear = glass & less(zero, max_component(passes));
+        total &= clear;
+
+        Vectors share = s.reflection;
+        const Mask fresnel = met & less(zero, s.fresnel);
+        if (fresnel != 0) {
+            const Numbers index =
+                select(glass, one / ratio_, opaque_index(scene_, hits_, s, index_before_, fresnel));
+            share = mirror_of(s, rays_.dir, index, fresnel);
+        }
+        mirror_on(share, mirror, met & ~total);
+        if (clear == 0) return;
+        const Vectors ones{one, one, one};
+        const Vectors factor = select(fresnel, passes * (ones - share), passes);
+        const Numbers weight =
+            load(wave_.weight + at_) * max_component(select(total, passes, factor));
+        const Mask sent = is_followed(weight, clear);
+        if (sent == 0) return;
+        const Vectors through = select(total, through_, through_ * factor);
+        send(*bent_wave(job_, level_ + 1), bent, weight, through, sent, total, nullptr);
+    }
+
+    /// Sends mirrored rays, the light of which is a term of each one's chain.
+    void mirror_on(const Vectors& share, const Vectors& mirror, Mask mask) {
+        const Numbers factor = max_component(share);
+        const Numbers weight = load(wave_.weight + at_) * factor;
+        const Mask sent = is_followed(weight, mask & less(all(0.0), factor));
+        if (sent == 0) return;
+        const Vectors in_chain = through_ * share;
+        std::uint32_t chains[lanes];
+        for_each_lane(sent, [&](int i) {
+            chains[i] = begin_chain(ledger_);
+            const double one[] = {lane(in_chain.x, i), lane(in_chain.y, i), lane(in_chain.z, i)};
+            add_term(ledger_, wave_.chain[at_ + i], one, chains[i]);
+        });
+        const Numbers one = all(1.0);
+        send(*mirrored_wave(job_, level_ + 1), mirror, weight, {one, one, one}, sent, sent, chains);
+    }
+
+    /// The rays that the limits let go on.
+    Mask is_followed(const Numbers& weight, Mask mask) const {
+        if (level_ + 1 >= scene_.max_depth) return 0;
+        return mask & at_most(all(scene_.min_contribution), weight);
+    }
+
+    /// Puts rays that start at the surfaces into a wave with room for them.
+    ///
+    /// \param reflected  those that are mirrored
+    /// \param chains     null: they go on in their own
+    void send(Wave& next, const Vectors& direction, const Numbers& weight, const Vectors& through,
+              Mask sent, Mask reflected, const std::uint32_t* chains) {
+        job_.counts.reflected += static_cast<std::uint64_t>(__builtin_popcount(sent & reflected));
+        job_.counts.transmitted +=
+            static_cast<std::uint64_t>(__builtin_popcount(sent & ~reflected));
+        const Surfaces& s = surfaces_;
+        Starts starts;
+        set_left(scene_, hits_, s, direction, sent, starts);
+        around_.put_towards(Around::back(s, rays_, direction), starts.bodies);
+        const int first = next.count;
+        store_packed(next.origin, first, sent, s.position);
+        store_packed(next.origin_lo, first, sent, s.position_lo);
+        store_packed(next.dir, first, sent, direction);
+        store_packed(next.through, first, sent, through);
+        store_packed(next.error + first, sent, s.error);
+        store_packed(next.weight + first, sent, weight);
+        const int rows = starts.bodies.depth > next.deepest ? starts.bodies.depth : next.deepest;
+        for (int k = next.deepest; k < rows; ++k)
+            for (int to = 0; to < first; ++to) next.bodies[k][to] = nothing;
+        next.deepest = rows;
+        int to = first;
+        for_each_lane(sent, [&](int i) {
+            next.item[to] = hits_.item[i];
+            next.face[to] = hits_.face[i];
+            next.entering[to] = (hits_.entering >> i & 1) != 0;
+            next.left[to] = starts.left[i];
+            next.chain[to] = chains == nullptr ? wave_.chain[at_ + i] : chains[i];
+            for (int k = 0; k < rows; ++k)
+                next.bodies[k][to] = k < starts.bodies.depth ? starts.bodies.item[k][i] : nothing;
+            ++to;
+        });
+        next.count = to;
+    }
+
+    Job& job_;
+    const Scene& scene_;
+    Ledger& ledger_;
+    Wave& wave_;
+    const int level_;
+    const int at_;
+    Mask active_;
+    Rays rays_;
+    Vectors through_;
+    Starts starts_;
+    NearestHits hits_;
+    Surfaces surfaces_;
+    Around around_;
+    Numbers ratio_, index_before_;  ///< of the indices before and after
+    Mask glass_ = 0;
+};
+
+[[gnu::noinline]] inline void trace_packet(Job& job, Wave& wave, int level, int at) {
+    GlassPacket(job, wave, level, at).trace();
+}
+
+/// Traces all rays of one level. What they send on waits in the waves of the next, which is traced
+/// before when it is full.
+///
+/// \param deepest  the deepest level so far that had rays
+inline void trace_level(Job& job, int level, int& deepest) {
+    if (bent_wave(job, level)->count + mirrored_wave(job, level)->count == 0) return;
+    if (level > deepest) deepest = level;
+    const bool last = level + 1 >= job.scene->max_depth;
+    Wave* const waves[] = {bent_wave(job, level), mirrored_wave(job, level)};
+    for (Wave* wave : waves) {
+        pad(*wave);
+        for (int at = 0; at < wave->count; at += lanes) {
+            if (!last && (bent_wave(job, level + 1)->count + lanes > Wave::most ||
+                          mirrored_wave(job, level + 1)->count + lanes > Wave::most))
+                trace_level(job, level + 1, deepest);
+            trace_packet(job, *wave, level, at);
+        }
+        wave->count = wave->deepest = 0;
+    }
+}
+
+/// TraceRays, in worlds with glassy items, from outside of all bodies.
+inline void trace_through(Job& job, const Camera& camera, const double* x, const double* y,
+                          int count) {
+    Wave* wave = bent_wave(job, 0);
+    send_from_camera(camera, x, y, count, *wave);
+    job.counts.primary += static_cast<std::uint64_t>(count);
+    Ledger& ledger = *job.ledger;
+    ledger.chain_count = ledger.term_count = 0;
+    const Numbers one = all(1.0);
+    for (int at = 0; at < count; at += lanes) store(wave->through, at, {one, one, one});
+    for (int i = 0; i < count; ++i) wave->chain[i] = begin_chain(ledger);
+    wave->deepest = 0;
+    int deepest = 0;
+    for (int level = 0; level <= deepest + 1 && level < job.scene->max_depth; ++level)
+        trace_level(job, level, deepest);
+    sum_chains(ledger);
+    for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < count; ++i) wave->color[c][i] = ledger.chains[i].light[c];
+}
+
+/// TraceRays
+inline void trace_rays(Job& job, const Camera& camera, const double* x, const double* y,
+                       int count) {
+    (job.scene->has_glassy ? trace_through : trace_opaque)(job, camera, x, y, count);
+}
+
+}  // namespace lancer::wide::LANCER_LEVEL
