@@ -66,7 +66,8 @@ Frame<Real> make_frame(const Affine<Real>& map) {
     // A shift as written is exact; one that was composed with turns and scales is rounded.
     Affine<Real> unshifted = map;
     unshifted.shift = Vec3<Real>(0);
-    if (!is_scale_by_two(unshifted))
+    frame.keeps_digits = is_scale_by_two(unshifted);
+    if (!frame.keeps_digits)
         frame.transform_error = gamma<Real>(4) * max_component(absolute(map.shift));
     frame.inverse_norm = row_sum(frame.linear_inverse);
     return frame;

@@ -15,7 +15,17 @@ struct Frame {
     Real inverse_norm;            ///< the same of the inverse
     Real transform_error =
         0;  ///< bound on how far rounding moved what stands in this space, in the world
+    bool keeps_digits = false;  ///< the linear part is a power of two: mapping a vector is exact
 };
+
+/// Bound on what rounding adds where a place is mapped, whose low parts add up to `low`: `by_map`,
+/// which grows with the coordinates, or, where the map keeps all digits, that sum's rounding alone.
+/// So a move that changes no digit of the coordinates changes no decision about which hits are one
+/// contact.
+template <class Real>
+Real mapping_error(const Frame<Real>& frame, Real by_map, const Vec3<Real>& low) {
+    return frame.keeps_digits ? gamma<Real>(2) * max_component(absolute(low)) : by_map;
+}
 
 /// The ray in the frame's space, with the same parameter t.
 template <class Real>
@@ -24,9 +34,9 @@ Ray<Real> to_local(const Ray<Real>& ray, const Frame<Real>& frame) {
     const DoubleWordVector<Real> start = two_sum(ray.origin, -frame.to_world.shift);
     const Vec3<Real> low = start.lo + ray.origin_lo;
     // Three products and two sums a component, on rounded entries.
-    const Vec3<Real> size = absolute(start.hi);
+    const Real by_map = gamma<Real>(6) * max_component(absolute(start.hi));
     const Real error = frame.inverse_norm * (ray.origin_error + frame.transform_error +
-                                             gamma<Real>(6) * max_component(size));
+                                             mapping_error(frame, by_map, low));
     const DoubleWordVector<Real> local = normalized(map_vector(frame.linear_inverse, start.hi),
                                                     map_vector(frame.linear_inverse, low));
     return make_ray(local.hi, local.lo, map_vector(frame.linear_inverse, ray.dir), error);

@@ -123,7 +123,8 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, Hit<R
         const DoubleWordVector<Real> place = two_sum(frame.to_world.shift, inner.hi);
         set_position(s, place, inner.lo);
         const Real size = max_component(absolute(anchor)) + max_component(absolute(offset));
-        s.error = frame.norm * local.error + gamma<Real>(4) * size;
+        s.error = frame.norm * local.error +
+                  mapping_error(frame, gamma<Real>(4) * size, place.lo + inner.lo);
         s.geometric = unit(map_transposed(frame.linear_inverse, local.normal));
         s.normal = local.shading == local.normal
                        ? s.geometric

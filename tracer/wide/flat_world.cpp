@@ -36,6 +36,7 @@ Frame frame_of(const lancer::Frame<double>& frame) {
     f.norm = frame.norm;
     f.inverse_norm = frame.inverse_norm;
     f.transform_error = frame.transform_error;
+    f.keeps_digits = frame.keeps_digits;
     return f;
 }
 

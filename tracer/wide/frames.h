@@ -18,12 +18,17 @@ LANCER_INLINE VectorPair normalized(const Vectors& hi, const Vectors& lo) {
     return {select(exact, hi, sum.hi), select(exact, lo, sum.lo)};
 }
 
+/// mapping_error()
+LANCER_INLINE Numbers mapping_error(const Frame& frame, const Numbers& by_map, const Vectors& low) {
+    return frame.keeps_digits ? bound<2>() * max_component(absolute(low)) : by_map;
+}
+
 LANCER_INLINE Rays to_local(const Rays& r, const Frame& frame) {
     const VectorPair start = two_sum(r.origin, -all(frame.shift));
     const Vectors low = start.lo + r.origin_lo;
-    const Vectors size = absolute(start.hi);
+    const Numbers by_map = bound<6>() * max_component(absolute(start.hi));
     const Numbers error = all(frame.inverse_norm) * (r.origin_error + all(frame.transform_error) +
-                                                     bound<6>() * max_component(size));
+                                                     mapping_error(frame, by_map, low));
     const VectorPair local = normalized(map_vector(frame.linear_inverse, start.hi),
                                         map_vector(frame.linear_inverse, low));
     return make_rays(local.hi, local.lo, map_vector(frame.linear_inverse, r.dir), error);

@@ -73,11 +73,12 @@ LANCER_INLINE Vectors unit(const Vectors& v, Mask& odd) {
         offset = map_vector(frame.to_world, offset);
         const VectorPair inner = two_sum(anchor, offset);
         place = two_sum(all(frame.shift), inner.hi);
-        const VectorPair whole = normalized(place.hi, place.lo + inner.lo);
+        const Vectors low = place.lo + inner.lo;
+        const VectorPair whole = normalized(place.hi, low);
         const Mask exact = is_zero(inner.lo);
         place = {select(exact, place.hi, whole.hi), select(exact, place.lo, whole.lo)};
         const Numbers size = max_component(absolute(anchor)) + max_component(absolute(offset));
-        error = all(frame.norm) * error + bound<4>() * size;
+        error = all(frame.norm) * error + mapping_error(frame, bound<4>() * size, low);
         geometric = unit(map_transposed(frame.linear_inverse, flat), odd);
         normal = unit(map_transposed(frame.linear_inverse, shading), odd);
     }

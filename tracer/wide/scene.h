@@ -60,6 +60,7 @@ struct Frame {
     double shift[3];
     double linear_inverse[3][3];
     double norm, inverse_norm, transform_error;
+    bool keeps_digits;
 };
 
 /// TriangleLeaf<double>, which this must lie over.
