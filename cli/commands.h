@@ -16,6 +16,7 @@ void add_check(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
+void add_pack(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
 void add_tradeoff(CLI::App& app, Action& action);

@@ -92,6 +92,7 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
     add_info(app, action);
     add_export(app, action);
     add_compare(app, action);
+    add_pack(app, action);
     add_validate(app, action);
     add_stability(app, action);
     add_tradeoff(app, action);

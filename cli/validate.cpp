@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "base/parallel.h"
+#include "cli/against_options.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/progress.h"
@@ -42,7 +43,19 @@ struct ValidateJob {
     std::optional<double> time_limit;
     bool no_cache = false;
     bool quiet = false;
+    AgainstOptions against;
     SceneOptions scene_options;
+};
+
+/// Judges a scene; what goes wrong is a verdict. Called from several threads.
+using Judge = std::function<Validation(const ValidationJob& job)>;
+
+/// Who is on the other side.
+struct OtherSide {
+    std::string name;            ///< heads the column of its times
+    std::string povray_version;  ///< empty: it is not POV-Ray
+    judge::Report report;        ///< without entries
+    Judge judge;
 };
 
 /// The scene and what chooses its picture, as one would type it.
@@ -92,11 +105,12 @@ void tell_apart(std::vector<ValidationJob>& jobs) {
 /// as soon as it is known, and collects the report's entries.
 class Validations {
   public:
-    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs, Session& session)
+    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs, OtherSide other,
+                Session& session)
         : options_(options),
           session_(session),
           jobs_(std::move(jobs)),
-          povray_(reference::find_povray()),
+          other_(std::move(other)),
           bar_(session.terminal, options.quiet, 1) {
         shares_.resize(jobs_.size());
         for (std::size_t i = 0; i < jobs_.size(); ++i)
@@ -104,16 +118,13 @@ class Validations {
                 show_progress(i, share, what);
             };
         for (const ValidationJob& job : jobs_) name_width_ = std::max(name_width_, job.name.size());
-        pov_options_.cache = options.no_cache ? std::string() : reference::cache_folder();
-        pov_options_.time_limit = options.time_limit.value_or(pov_options_.time_limit);
-        report_ = judge::validation_report(povray_, LANCER_VERSION);
     }
 
     void run() {
         results_.resize(jobs_.size());
         done_.resize(jobs_.size());
-        report_.entries.resize(jobs_.size());
-        if (!options_.quiet) session_.output.say(judge::table_head(name_width_));
+        other_.report.entries.resize(jobs_.size());
+        if (!options_.quiet) session_.output.say(judge::table_head(name_width_, other_.name));
         // POV-Ray sleeps while it starts, so that twice as many as there are cores keep them busy.
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
         const auto workers = static_cast<int>(options_.jobs.value_or(2 * cores));
@@ -124,15 +135,15 @@ class Validations {
 
     ExitCode finish() {
         bar_.clear();
-        session_.write(options_.json, judge::validations_to_json(results_, povray_));
+        session_.write(options_.json, judge::validations_to_json(results_, other_.povray_version));
         session_.write(options_.junit,
                        judge::junit_xml("lancer validate", judge::junit_cases(results_)));
         if (!options_.report.empty()) {
-            for (const judge::ReportEntry& entry : report_.entries)
+            for (const judge::ReportEntry& entry : other_.report.entries)
                 for (const judge::ReportFile& file : entry.files)
                     session_.files.add_output_in_new_folder(options_.report + "/" + file.name,
                                                             "--report");
-            judge::write_report(report_, options_.report);
+            judge::write_report(other_.report, options_.report);
             if (!options_.quiet)
                 session_.output.say(fmt::format("wrote {}/index.html\n", options_.report));
         }
@@ -161,9 +172,8 @@ class Validations {
     }
 
     void validate(std::size_t i) {
-        Validation result =
-            judge::validate_scene(jobs_[i], judge::render_ours, povray_, pov_options_);
-        if (!options_.report.empty()) report_.entries[i] = judge::report_entry(result);
+        Validation result = other_.judge(jobs_[i]);
+        if (!options_.report.empty()) other_.report.entries[i] = judge::report_entry(result);
         result.ours = {};
         result.theirs = {};
         result.pov_text = {};
@@ -186,14 +196,12 @@ class Validations {
     const ValidateJob& options_;
     Session& session_;
     std::vector<ValidationJob> jobs_;
-    reference::PovRay povray_;
-    reference::PovOptions pov_options_;
+    OtherSide other_;
     std::size_t name_width_ = 5;
     std::mutex mutex_;
     std::vector<Validation> results_;
     std::vector<bool> done_;
     std::size_t shown_ = 0;
-    judge::Report report_;
     std::vector<double> shares_;  ///< of each job that is done
     ProgressBar bar_;
 };
@@ -205,7 +213,40 @@ std::string report_option(const ValidateJob& job) {
     return job.junit.empty() ? "" : "--junit";
 }
 
+OtherSide povray_side(const ValidateJob& job) {
+    const reference::PovRay povray = reference::find_povray();
+    reference::PovOptions options;
+    options.cache = job.no_cache ? std::string() : reference::cache_folder();
+    options.time_limit = job.time_limit.value_or(options.time_limit);
+    return {"POV-Ray", povray.version, judge::validation_report(povray, LANCER_VERSION),
+            [povray, options](const ValidationJob& scene) {
+                return judge::validate_scene(scene, judge::render_ours, povray, options);
+            }};
+}
+
+/// `pictures` by the scenes' paths.
+OtherSide picture_side(const ValidateJob& job, std::map<std::string, std::string> pictures) {
+    return {"picture",
+            {},
+            judge::against_report(LANCER_VERSION, job.against.pictures, job.against.reading),
+            [&job, pictures = std::move(pictures)](const ValidationJob& scene) {
+                return judge::validate_against(
+                    {scene, pictures.at(scene.path), job.against.reading, job.size.has_value()});
+            }};
+}
+
+void check_against(const ValidateJob& job) {
+    if (job.against.asked()) {
+        if (job.no_cache || job.time_limit || job.part)
+            throw UsageError(
+                "--no-cache, --time-limit and --part are for POV-Ray, which --against leaves out");
+    } else if (job.against.reading_is_given) {
+        throw UsageError("--encoding, --exposure and --pixel-center are for --against PICTURE");
+    }
+}
+
 ExitCode validate(const ValidateJob& job, Session& session) {
+    check_against(job);
     const std::vector<std::string> scenes =
         share_of(job.scenes, job.part, report_option(job),
                  job.no_cache ? std::string() : reference::cache_folder());
@@ -216,8 +257,13 @@ ExitCode validate(const ValidateJob& job, Session& session) {
     // Scenes that cannot be read do not keep the others from their answer.
     ExitCode worst = ExitCode::done;
     std::vector<ValidationJob> jobs;
+    std::map<std::string, std::string> pictures;
     for (const std::string& path : scenes) {
         try {
+            if (job.against.asked()) {
+                pictures[path] = picture_for(job.against, path, scenes.size());
+                session.files.add_input(pictures[path]);
+            }
             jobs.push_back(load(path, job, session));
         } catch (const SceneRejected& rejected) {
             worst = std::max(worst, rejected.code);
@@ -228,7 +274,9 @@ ExitCode validate(const ValidateJob& job, Session& session) {
     }
     if (jobs.empty()) return worst;
     tell_apart(jobs);
-    Validations validations(job, std::move(jobs), session);
+    Validations validations(
+        job, std::move(jobs),
+        job.against.asked() ? picture_side(job, std::move(pictures)) : povray_side(job), session);
     validations.run();
     return std::max(worst, validations.finish());
 }
@@ -237,7 +285,9 @@ ExitCode validate(const ValidateJob& job, Session& session) {
 
 void add_validate(CLI::App& app, Action& action) {
     CLI::App& command = *app.add_subcommand(
-        "validate", "Render scenes, have POV-Ray render them too, and judge the differences");
+        "validate",
+        "Render scenes, have POV-Ray render them too (or take a picture that is there), and judge "
+        "the differences");
     const auto job = std::make_shared<ValidateJob>();
     command
         .add_option("SCENE", job->scenes,
@@ -258,7 +308,8 @@ void add_validate(CLI::App& app, Action& action) {
     command
         .add_option_function<std::string>(
             "--size", [job](const std::string& text) { job->size = parse_size(text); },
-            "Size of the pictures; 320 pixels wide by default, in the scene's proportions")
+            "Size of the pictures; 320 pixels wide by default, in the scene's proportions; with "
+            "--against what the picture has")
         ->type_name("WxH");
     add_whole_number(command, "--jobs", job->jobs, 1, 1024,
                      "Scenes at once; twice as many as there are cores by default")
@@ -268,6 +319,7 @@ void add_validate(CLI::App& app, Action& action) {
         ->type_name("S");
     command.add_flag("--no-cache", job->no_cache, "Have POV-Ray make every picture anew");
     command.add_flag("-q,--quiet", job->quiet, "No table");
+    add_against_options(command, job->against);
     add_scene_options(command, job->scene_options);
     command.callback(
         [&action, job] { action = [job](Session& session) { return validate(*job, session); }; });

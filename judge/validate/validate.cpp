@@ -8,6 +8,7 @@
 
 #include "judge/report/shell_text.h"
 #include "judge/validate/exposure.h"
+#include "judge/validate/place_words.h"
 
 namespace lancer::judge {
 
@@ -28,13 +29,7 @@ ProbeFunction exposed(ProbeFunction probe, double exposure) {
 }
 
 std::string text_of(const reference::Coincidence& coincidence, const ValidationJob& job) {
-    const auto object = [&](std::uint32_t index) {
-        const Object& shown = job.scene->objects[index];
-        const std::string place = job.place_text ? job.place_text(shown.place) : "";
-        const std::string name =
-            shown.name == none ? "" : fmt::format(" \"{}\"", job.scene->names[shown.name]);
-        return fmt::format("object {}{}{}", index + 1, name, place.empty() ? "" : " at " + place);
-    };
+    const auto object = [&](std::uint32_t index) { return object_words(job, index); };
     if (coincidence.first == coincidence.second)
         return fmt::format("two parts of {}: {}", object(coincidence.first),
                            reference::resolution_name(coincidence.resolution));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,12 @@ struct Validation {
     std::vector<std::string> reasons;
     /// The exporter's refusals, with their places.
     std::vector<Diagnostic> refusals;
+
+    /// The file that the scene was judged against; empty: POV-Ray was asked.
+    std::string picture{};
+    /// What makes all of the other picture different, where there is one such thing; asked of files
+    /// alone.
+    std::optional<std::string> cause{};
 
     // The rest as far as it came to that.
     reference::ExportView view;

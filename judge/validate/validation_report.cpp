@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "judge/report/html.h"
+#include "judge/report/shell_text.h"
 #include "judge/validate/validation_text.h"
 #include "model/io/png_file.h"
 #include "reference/compare/heat_map.h"
@@ -41,14 +42,16 @@ void add_measures(ReportEntry& entry, const Validation& v) {
         "≤ " + percent(t.explained_share), within(j.explained, t.explained_share));
     add(fmt::format("… by an edge off by {} pixel", shown(t.rounding)), share_of_edges(j.displaced),
         "≤ " + percent(t.displaced_share), within(j.displaced, t.displaced_share));
-    add("Known differences, shown by POV-Ray's rule", std::to_string(j.count(PixelClass::known)),
-        "", true);
+    if (v.picture.empty())
+        add("Known differences, shown by POV-Ray's rule",
+            std::to_string(j.count(PixelClass::known)), "", true);
     if (j.count(PixelClass::coincident) > 0)
         add("Coincident surfaces: told apart, POV-Ray has Lancer's value",
             std::to_string(j.count(PixelClass::coincident)), "", true);
-    add("Outliers, which POV-Ray's own picture denies",
-        fmt::format("{} of {}", j.count(PixelClass::outlier), j.pixels),
-        "≤ " + percent(t.outlier_share), true);
+    if (v.picture.empty())
+        add("Outliers, which POV-Ray's own picture denies",
+            fmt::format("{} of {}", j.count(PixelClass::outlier), j.pixels),
+            "≤ " + percent(t.outlier_share), true);
     if (j.picture_shift.count > 0) {
         add("Shift of the picture, pixels",
             fmt::format("{} ± {}", shown(j.picture_shift.length(), 2),
@@ -104,6 +107,12 @@ void add_markers(ReportEntry& entry, const Validation& v) {
 std::string commands_of(const Validation& v) {
     const std::string size = fmt::format("{}x{}", v.view.width, v.view.height);
     const std::string name = slug(v.name);
+    if (!v.picture.empty()) {
+        return fmt::format(
+            "lancer render {0} --size {1} --samples 1 --min-contribution 0 -o {2}-ours.exr\n"
+            "lancer compare {2}-ours.exr {3} --exposure {4} --fail {5:g} -o {2}-difference.png",
+            v.scene_words, size, name, shell_quoted(v.picture), v.exposure, v.thresholds.interior);
+    }
     std::vector<std::string> povray = reference::povray_arguments(v.view.width, v.view.height, 1);
     povray[0] = "+I" + name + ".pov";
     povray[1] = "+O" + name + ".png";
@@ -145,7 +154,8 @@ void add_files(ReportEntry& entry, const Validation& v) {
     if (!v.ours.data.empty())
         add(name + "-ours.png", "Lancer's picture", io::encode_png(v.ours, deep, name));
     if (!v.theirs.data.empty())
-        add(name + "-theirs.png", "POV-Ray's picture", io::encode_png(v.theirs, deep, name));
+        add(name + "-theirs.png", v.picture.empty() ? "POV-Ray's picture" : "the other picture",
+            io::encode_png(v.theirs, deep, name));
     if (!entry.heat.png.empty()) add(name + "-difference.png", "differences", entry.heat.png);
 }
 
@@ -173,6 +183,13 @@ void add_notes(ReportEntry& entry, const Validation& v) {
     }
     const std::string size = fmt::format("{}x{}", v.view.width, v.view.height);
     entry.evidence.push_back({"To repeat this", commands_of(v)});
+    if (!v.picture.empty()) {
+        entry.evidence.push_back(
+            {"Circumstances", fmt::format("picture {} pixels\nread from {}\nlight in both "
+                                          "pictures: {:g} times that of the scene",
+                                          size, v.picture, v.exposure)});
+        return;
+    }
     std::string facts = fmt::format("picture {} pixels\nPOV-Ray {}\n", size, v.pov_version);
     if (v.pov_seconds > 0) {
         facts += fmt::format("POV-Ray took {:.2f} s{}\n", v.pov_seconds,
@@ -212,13 +229,24 @@ ReportEntry report_entry(const Validation& v) {
             std::to_string(v.judgement.count(PixelClass::known)),
             std::to_string(v.judgement.count(PixelClass::unexplained)),
             seconds(v.our_seconds),
-            seconds(v.pov_seconds)};
+            v.picture.empty() ? seconds(v.pov_seconds) : "-"};
         entry.urgency = static_cast<double>(v.judgement.count(PixelClass::unexplained)) +
                         v.judgement.interior_max;
     }
+    if (v.cause) entry.notes.push_back({"Likely cause", *v.cause});
     add_notes(entry, v);
     add_files(entry, v);
     return entry;
+}
+
+std::vector<std::string> validation_columns(const std::string& other) {
+    return {"Largest off edges",
+            "Within " + shown(Thresholds().tight),
+            "Explained",
+            "Known",
+            "Unexplained",
+            "Lancer",
+            other};
 }
 
 Report validation_report(const reference::PovRay& povray, const std::string& lancer_version) {
@@ -227,13 +255,7 @@ Report validation_report(const reference::PovRay& povray, const std::string& lan
     report.left_name = "Lancer";
     report.right_name = "POV-Ray";
     const Thresholds defaults;
-    report.columns = {"Largest off edges",
-                      "Within " + shown(defaults.tight),
-                      "Explained",
-                      "Known",
-                      "Unexplained",
-                      "Lancer",
-                      "POV-Ray"};
+    report.columns = validation_columns("POV-Ray");
     report.histogram_marks = {defaults.tight, defaults.interior};
     report.about = {
         {"Programs",

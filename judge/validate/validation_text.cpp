@@ -10,10 +10,10 @@
 
 namespace lancer::judge {
 
-std::string table_head(std::size_t name_width) {
+std::string table_head(std::size_t name_width, const std::string& other) {
     return fmt::format("{:<{}}  {:<8} {:>9} {:>9} {:>9} {:>11} {:>6} {:>10} {:>7} {:>9}\n", "scene",
                        name_width, "verdict", "interior", "within", "explained", "unexplained",
-                       "known", "coincident", "ours", "POV-Ray");
+                       "known", "coincident", "ours", other);
 }
 
 std::string table_row(const Validation& v, std::size_t name_width) {
@@ -24,10 +24,13 @@ std::string table_row(const Validation& v, std::size_t name_width) {
                            j.tight_share * 100, j.explained + j.count(PixelClass::outlier),
                            j.count(PixelClass::unexplained), j.count(PixelClass::known),
                            j.count(PixelClass::coincident));
-        row += fmt::format(" {:>5.2f} s {:>7.2f} s{}", v.our_seconds, v.pov_seconds,
-                           v.from_cache ? " (kept)" : "");
+        row += fmt::format(" {:>5.2f} s", v.our_seconds);
+        row += v.picture.empty()
+                   ? fmt::format(" {:>7.2f} s{}", v.pov_seconds, v.from_cache ? " (kept)" : "")
+                   : fmt::format(" {:>9}", "-");
     }
     row += '\n';
+    if (v.cause) row += "    likely cause: " + *v.cause + "\n";
     for (const std::string& reason : v.reasons) row += "    " + reason + "\n";
     return row;
 }
@@ -43,7 +46,7 @@ nlohmann::ordered_json shift_json(const Shift& shift) {
 }
 
 /// The unexplained pixels first, of these the largest differences; at most 20.
-nlohmann::ordered_json worst_json(const Judgement& judgement) {
+nlohmann::ordered_json worst_json(const Judgement& judgement, const std::string& other) {
     std::vector<DifferentPixel> worst = judgement.different;
     std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
         const bool unexplained = a.pixel_class == PixelClass::unexplained;
@@ -58,7 +61,7 @@ nlohmann::ordered_json worst_json(const Judgement& judgement) {
                         {"class", class_name(p.pixel_class)},
                         {"difference", p.difference},
                         {"lancer", {p.ours.x, p.ours.y, p.ours.z}},
-                        {"povray", {p.theirs.x, p.theirs.y, p.theirs.z}}});
+                        {other, {p.theirs.x, p.theirs.y, p.theirs.z}}});
     return list;
 }
 
@@ -68,6 +71,11 @@ nlohmann::ordered_json scene_json(const Validation& v) {
     json["path"] = v.path;
     json["verdict"] = verdict_name(v.verdict);
     json["reasons"] = v.reasons;
+    if (!v.picture.empty()) {
+        json["picture"] = v.picture;
+        json["cause"] =
+            v.cause ? nlohmann::ordered_json(*v.cause) : nlohmann::ordered_json(nullptr);
+    }
     if (!v.comparison.comparable) return json;
     const Judgement& j = v.judgement;
     json["pixels"] = j.pixels;
@@ -95,7 +103,7 @@ nlohmann::ordered_json scene_json(const Validation& v) {
     json["explaining_rays"] = j.rays;
     json["edge_shift"] = shift_json(j.edge_shift);
     json["picture_shift"] = shift_json(j.picture_shift);
-    json["worst"] = worst_json(j);
+    json["worst"] = worst_json(j, v.picture.empty() ? "povray" : "picture");
     json["mean"] = v.comparison.mean;
     json["rmse"] = v.comparison.rmse;
     json["max"] = v.comparison.max;
@@ -113,14 +121,14 @@ nlohmann::ordered_json scene_json(const Validation& v) {
 }  // namespace
 
 std::string validations_to_json(const std::vector<Validation>& validations,
-                                const reference::PovRay& povray) {
+                                const std::string& povray_version) {
     nlohmann::ordered_json json;
     bool pass = true;
     for (const Validation& v : validations) {
         pass = pass && (v.verdict == Verdict::agrees || v.verdict == Verdict::refused);
     }
     json["verdict"] = pass ? "pass" : "fail";
-    json["povray"] = povray.version;
+    if (!povray_version.empty()) json["povray"] = povray_version;
     json["scenes"] = nlohmann::ordered_json::array();
     for (const Validation& v : validations) json["scenes"].push_back(scene_json(v));
     // Messages of other programs may hold any bytes.
@@ -131,6 +139,7 @@ std::vector<JUnitCase> junit_cases(const std::vector<Validation>& validations) {
     std::vector<JUnitCase> cases;
     for (const Validation& v : validations) {
         JUnitCase made{v.path, v.our_seconds + v.pov_seconds, {}, v.reasons};
+        if (v.cause) made.reasons.insert(made.reasons.begin(), "likely cause: " + *v.cause);
         switch (v.verdict) {
             case Verdict::agrees:
                 break;

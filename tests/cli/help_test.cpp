@@ -29,7 +29,7 @@ TEST(Help, AndThePageNameTheSameOptions) {
     const std::set<std::string> page = options_in({std::istreambuf_iterator<char>(in), {}});
     std::set<std::string> program = options_in(place.run({"--help"}).out);
     for (const char* command : {"render", "join", "check", "info", "export", "compare", "validate",
-                                "stability", "tradeoff", "probe"}) {
+                                "pack", "stability", "tradeoff", "probe"}) {
         const std::set<std::string> own = options_in(place.run({command, "--help"}).out);
         EXPECT_GT(own.size(), 3u) << command;
         program.insert(own.begin(), own.end());

@@ -1,0 +1,30 @@
+// The options by which `validate` judges other renderers' pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "judge/against/against.h"
+
+namespace CLI {
+class App;
+}
+
+namespace lancer::cli {
+
+struct AgainstOptions {
+    std::string pictures;  ///< a file, or a folder of files called like the scenes; empty: POV-Ray
+    judge::Reading reading;
+    bool reading_is_given = false;
+
+    bool asked() const { return !pictures.empty(); }
+};
+
+void add_against_options(CLI::App& app, AgainstOptions& options);
+
+/// The pictures of these scenes, one each. Throws UsageError where one file is given for several
+/// scenes, and FileError where a folder lacks one.
+std::string picture_for(const AgainstOptions& options, const std::string& scene,
+                        std::size_t scenes);
+
+}  // namespace lancer::cli

@@ -1,0 +1,173 @@
+// lancer pack
+#include "judge/pack/pack.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/scene_loader.h"
+#include "cli/scene_size.h"
+#include "model/io/file.h"
+
+namespace lancer::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackJob {
+    std::vector<std::string> scenes;
+    std::string output;
+    std::string camera;
+    std::optional<PictureSize> size;
+    std::optional<std::int64_t> probes;
+    bool quiet = false;
+    SceneOptions scene_options;
+};
+
+/// A folder's name for each scene: its file's, and where two are called alike that of its folder
+/// before it.
+std::vector<std::string> names_of(const std::vector<std::string>& scenes) {
+    std::vector<std::string> names;
+    std::multiset<std::string> stems;
+    const auto stem = [](const std::string& path) {
+        return path == "-" ? "scene" : fs::path(path).stem().string();
+    };
+    for (const std::string& path : scenes) stems.insert(stem(path));
+    for (const std::string& path : scenes) {
+        const std::string folder = fs::path(path).parent_path().filename().string();
+        const bool alone = stems.count(stem(path)) == 1 || folder.empty();
+        names.push_back(alone ? stem(path) : folder + "-" + stem(path));
+        if (std::count(names.begin(), names.end(), names.back()) > 1)
+            throw UsageError(
+                fmt::format("two of the scenes would be called '{}' in the pack", names.back()));
+    }
+    return names;
+}
+
+/// A folder that holds somebody's files stays as it is.
+void check_folder(const std::string& folder) {
+    std::error_code ignored;
+    if (!fs::exists(folder, ignored)) return;
+    if (!fs::is_directory(folder, ignored))
+        throw UsageError(fmt::format("'{}' is a file; a pack is a folder", folder));
+    const std::string index = folder + "/pack.json";
+    if (fs::exists(index, ignored) && judge::is_pack_index(io::read_file(index, 1 << 24))) return;
+    if (!fs::is_empty(folder, ignored)) {
+        throw UsageError(fmt::format(
+            "'{}' holds other files, and no pack that could be replaced: name a new folder",
+            folder));
+    }
+}
+
+class Packer {
+  public:
+    Packer(const PackJob& job, Session& session) : job_(job), session_(session) {}
+
+    ExitCode run() {
+        const std::vector<std::string> names = names_of(job_.scenes);
+        check_folder(job_.output);
+        session_.files.add_output_in_new_folder(job_.output + "/pack.json", "-o");
+        session_.files.add_output_in_new_folder(job_.output + "/README.md", "-o");
+        std::vector<std::string> packed;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (pack(job_.scenes[i], names[i])) packed.push_back(names[i]);
+        if (packed.empty()) return worst_;
+        write("README.md", judge::pack_readme());
+        write("pack.json", judge::pack_index(packed, LANCER_VERSION));
+        if (!job_.quiet)
+            session_.output.say(fmt::format("wrote {}: {} scene{}, see {}/README.md\n", job_.output,
+                                            packed.size(), packed.size() == 1 ? "" : "s",
+                                            job_.output));
+        return worst_;
+    }
+
+  private:
+    void write(const std::string& name, const std::string& bytes) {
+        io::write_file(job_.output + "/" + name, bytes);
+    }
+
+    judge::ValidationJob load(const std::string& path, const std::string& name) {
+        SceneLoader loader(path, job_.scene_options, session_);
+        auto scene = std::make_shared<Scene>(loader.load());
+        judge::prepare_for_validation(*scene);
+        const PictureSize size = size_or(job_.size, *scene, 320);
+        judge::ValidationJob result;
+        result.name = name;
+        result.path = path;
+        result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job_.camera, session_)),
+                       size.width, size.height};
+        result.scene = std::move(scene);
+        return result;
+    }
+
+    /// False where the scene is left out; the others are packed all the same.
+    bool pack(const std::string& path, const std::string& name) {
+        try {
+            const auto probes = static_cast<std::size_t>(
+                job_.probes.value_or(static_cast<std::int64_t>(judge::default_probes)));
+            const judge::Pack pack = judge::pack_scene(load(path, name), probes);
+            if (session_.terminal.show(pack.refusals, session_.sources) > 0) {
+                worst_ = std::max(worst_, ExitCode::scene);
+                return false;
+            }
+            for (const judge::PackedFile& file : pack.files)
+                session_.files.add_output_in_new_folder(
+                    fmt::format("{}/{}/{}", job_.output, name, file.name), "-o");
+            fs::create_directories(fs::path(job_.output) / name);
+            for (const judge::PackedFile& file : pack.files)
+                write(name + "/" + file.name, file.bytes);
+            if (!job_.quiet)
+                session_.output.say(fmt::format("{}: {} probes, {} pixels undecided\n", name,
+                                                pack.probes, pack.undecided));
+            return true;
+        } catch (const SceneRejected& rejected) {
+            worst_ = std::max(worst_, rejected.code);
+        } catch (const SceneError& error) {
+            session_.terminal.error(path + ": " + error.what());
+            worst_ = std::max(worst_, ExitCode::scene);
+        } catch (const FileError& error) {
+            session_.terminal.error(error.what());
+            worst_ = std::max(worst_, ExitCode::files);
+        }
+        return false;
+    }
+
+    const PackJob& job_;
+    Session& session_;
+    ExitCode worst_ = ExitCode::done;
+};
+
+}  // namespace
+
+void add_pack(CLI::App& app, Action& action) {
+    CLI::App& command =
+        *app.add_subcommand("pack", "Write what another renderer needs to test itself on scenes");
+    const auto job = std::make_shared<PackJob>();
+    command.add_option("SCENE", job->scenes, "Scene files")->required()->type_name("");
+    command.add_option("-o,--output", job->output, "A new folder, or that of an earlier pack")
+        ->required()
+        ->type_name("DIR");
+    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--size", [job](const std::string& text) { job->size = parse_size(text); },
+            "Size of the pictures; 320 pixels wide by default, in the scene's proportions")
+        ->type_name("WxH");
+    add_whole_number(command, "--probes", job->probes, 0, 100'000,
+                     "Pixels with exact values (default 32)")
+        ->type_name("N");
+    command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
+    add_scene_options(command, job->scene_options);
+    command.callback([&action, job] {
+        action = [job](Session& session) { return Packer(*job, session).run(); };
+    });
+}
+
+}  // namespace lancer::cli

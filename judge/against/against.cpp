@@ -1,0 +1,201 @@
+#include "judge/against/against.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "judge/against/causes.h"
+#include "judge/report/shell_text.h"
+#include "judge/validate/place_words.h"
+
+namespace lancer::judge {
+
+namespace {
+
+/// Light as the other picture holds it.
+Color held(const Color& color, double exposure, bool clipped) {
+    Color result = color * exposure;
+    if (clipped)
+        for (int c = 0; c < 3; ++c) result[c] = std::clamp(result[c], 0.0, 1.0);
+    return result;
+}
+
+/// The other renderer's proportions are the scene's, up to a pixel of rounding.
+bool has_proportions(const Image& picture, const Scene& scene) {
+    const double height = static_cast<double>(picture.width) * scene.height / scene.width;
+    return std::abs(height - picture.height) < 1;
+}
+
+/// Why the picture is none of this view; empty when it is.
+std::string size_problem(const Image& picture, const AgainstJob& job) {
+    const reference::ExportView& view = job.scene.view;
+    const Scene& scene = *job.scene.scene;
+    if (job.size_is_given && (picture.width != view.width || picture.height != view.height)) {
+        return fmt::format("the picture has {} x {} pixels, and --size says {} x {}", picture.width,
+                           picture.height, view.width, view.height);
+    }
+    if (job.size_is_given || has_proportions(picture, scene)) return {};
+    return fmt::format(
+        "the picture has {} x {} pixels, other proportions than the scene's {} x {}: it is cropped "
+        "or another view. If it is the whole view, say so by --size {}x{}",
+        picture.width, picture.height, scene.width, scene.height, picture.width, picture.height);
+}
+
+/// What is not a number, before anything is rendered.
+std::string non_finite_problem(const Image& picture) {
+    const auto bad = std::find_if(picture.data.begin(), picture.data.end(),
+                                  [](double v) { return !std::isfinite(v); });
+    if (bad == picture.data.end()) return {};
+    const auto count = std::count_if(picture.data.begin(), picture.data.end(),
+                                     [](double v) { return !std::isfinite(v); });
+    const auto pixel = static_cast<std::size_t>(bad - picture.data.begin()) / 3;
+    const auto width = static_cast<std::size_t>(picture.width);
+    return fmt::format("the picture has {} value{} NaN or infinite, the first at ({}, {})", count,
+                       count == 1 ? " that is" : "s that are", pixel % width, pixel / width);
+}
+
+struct OurSide {
+    Image image;
+    ProbeFunction probe;  ///< (0.5, 0.5) is where the other program looks first
+    std::uint64_t rays = 0;
+};
+
+OurSide render(const AgainstJob& job, const View& view, bool clipped) {
+    const Scene& scene = *job.scene.scene;
+    const Reading& reading = job.reading;
+    Settings settings = scene.settings;
+    settings.threads = 1;  // whole scenes run side by side
+    const std::shared_ptr<const Renderer> renderer = compile(scene, settings);
+    std::vector<PicturePoint> points;
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x)
+            points.push_back({x + reading.center_x, y + reading.center_y});
+    std::vector<Color> colors(points.size());
+    RayCounts rays;
+    renderer->trace(view, points, {settings.max_depth, settings.min_contribution}, colors, {},
+                    rays);
+    OurSide ours{Image(view.width, view.height), {}, rays.rays()};
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const Color color = held(colors[i], reading.exposure, clipped);
+        for (int c = 0; c < 3; ++c) ours.image.data[3 * i + static_cast<std::size_t>(c)] = color[c];
+    }
+    ours.probe = [renderer, view, reading, clipped](double x, double y) {
+        Probe probe = renderer->probe(view, x - 0.5 + reading.center_x, y - 0.5 + reading.center_y);
+        probe.color = held(probe.color, reading.exposure, clipped);
+        return probe;
+    };
+    return ours;
+}
+
+/// Pairs of objects whose faces lie in one place where rays get: one cannot tell from a picture
+/// which of them a program means.
+std::vector<reference::Coincidence> undecidable(const ValidationJob& job) {
+    reference::ExportOptions options;
+    options.name = job.name;
+    std::vector<reference::Coincidence> found =
+        reference::export_pov(*job.scene, job.view, options).coincidences;
+    std::erase_if(found, [](const reference::Coincidence& c) {
+        return c.resolution == reference::Coincidence::Resolution::hidden;
+    });
+    return found;
+}
+
+void tell_where(Validation& result, const ValidationJob& job, const ProbeFunction& probe) {
+    const std::size_t unexplained = result.judgement.count(PixelClass::unexplained);
+    if (unexplained == 0) return;
+    for (const Suspect& suspect : suspects_of(result.judgement, probe)) {
+        if (suspect.pixels * 10 < unexplained) continue;
+        result.reasons.push_back(fmt::format("about {} of them show {}", suspect.pixels,
+                                             object_words(job, suspect.object)));
+    }
+    for (const reference::Coincidence& c : undecidable(job)) {
+        result.reasons.push_back(fmt::format(
+            "faces of {} and {} lie in one place: where they are seen it is not decidable from a "
+            "picture which program is right",
+            object_words(job, c.first), object_words(job, c.second)));
+        if (result.reasons.size() > 12) break;
+    }
+}
+
+void judge(Validation& result, const AgainstJob& job) {
+    const Reading& reading = job.reading;
+    Image picture = read_foreign_picture(job.picture, reading.encoding, result.thresholds.interior);
+    for (const std::string& problem : {size_problem(picture, job), non_finite_problem(picture)}) {
+        if (problem.empty()) continue;
+        result.verdict = Verdict::differs;
+        result.reasons.push_back(problem);
+        return;
+    }
+    ValidationJob scene = job.scene;
+    scene.view.width = picture.width;
+    scene.view.height = picture.height;
+    result.view = scene.view;
+    const bool clipped =
+        std::none_of(picture.data.begin(), picture.data.end(), [](double v) { return v > 1; });
+    const auto start = std::chrono::steady_clock::now();
+    OurSide ours = render(job, tracer_view(scene.view), clipped);
+    result.our_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.ours = std::move(ours.image);
+    result.theirs = std::move(picture);
+    reference::CompareOptions options;
+    options.fail = result.thresholds.interior;
+    options.fail_percent = 100;  // the judgement decides, not this
+    result.comparison = reference::compare_images(result.ours, result.theirs, options);
+    if (!result.comparison.comparable) {
+        result.verdict = Verdict::differs;
+        result.reasons.push_back(result.comparison.reason);
+        return;
+    }
+    result.judgement = judge_pictures(result.ours, result.theirs, ours.probe, result.thresholds, {},
+                                      rays_for_explaining(ours.rays));
+    result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
+    result.reasons = result.judgement.failures;
+    if (result.judgement.pass) return;
+    tell_where(result, scene, ours.probe);
+    result.cause = likely_cause(scene, result.ours, result.theirs, result.judgement, reading,
+                                clipped, ours.probe);
+}
+
+}  // namespace
+
+Validation validate_against(const AgainstJob& job) {
+    Validation result;
+    result.name = job.scene.name;
+    result.path = job.scene.path;
+    result.scene_words =
+        job.scene.scene_words.empty() ? shell_quoted(job.scene.path) : job.scene.scene_words;
+    result.picture = job.picture;
+    result.view = job.scene.view;
+    result.exposure = job.reading.exposure;
+    result.thresholds = job.scene.expect.thresholds;
+    result.expectations = job.scene.expect.reasons;
+    try {
+        judge(result, job);
+    } catch (const FileError& error) {
+        result.verdict = Verdict::failed;
+        result.reasons.emplace_back(error.what());
+    } catch (const SceneError& error) {
+        result.verdict = Verdict::failed;
+        result.reasons.emplace_back(error.what());
+    }
+    return result;
+}
+
+std::string picture_in_folder(const std::string& folder, const std::string& scene_path) {
+    const std::string name = std::filesystem::path(scene_path).stem().string();
+    for (const char* ending : {".exr", ".tif", ".tiff", ".png", ".ppm"}) {
+        const std::filesystem::path file = std::filesystem::path(folder) / (name + ending);
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(file, ignored)) return file.string();
+    }
+    throw FileError(
+        fmt::format("there is no picture of '{}' in '{}': none is called {}.exr, .tif, "
+                    ".tiff, .png or .ppm",
+                    scene_path, folder, name));
+}
+
+}  // namespace lancer::judge

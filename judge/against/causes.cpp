@@ -1,0 +1,163 @@
+#include "judge/against/causes.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "judge/against/light_fit.h"
+#include "judge/against/scene_variants.h"
+#include "judge/against/shift_fit.h"
+#include "judge/validate/our_renderer.h"
+
+namespace lancer::judge {
+
+namespace {
+
+/// Fewer different pixels than this, or than their share of all, are no whole picture's.
+constexpr std::size_t least_different = 8;
+constexpr std::size_t one_in = 2000;
+constexpr std::size_t most_different = 6000;
+constexpr std::size_t most_agreeing = 3000;
+/// Variants of a scene with more triangles would take long to build.
+constexpr std::uint64_t most_triangles = 300'000;
+
+/// Every n-th of the pixels, so that no more than `most` are taken.
+std::vector<std::size_t> thinned(const std::vector<std::size_t>& pixels, std::size_t most) {
+    const std::size_t step = pixels.size() / most + 1;
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < pixels.size(); i += step) kept.push_back(pixels[i]);
+    return kept;
+}
+
+Samples samples_of(const Image& ours, const Image& theirs, const Reading& reading, bool clipped,
+                   double tolerance) {
+    Samples samples;
+    samples.tolerance = tolerance;
+    samples.exposure = reading.exposure;
+    samples.clipped = clipped;
+    std::vector<std::size_t> different;
+    std::vector<std::size_t> agreeing;
+    const auto width = static_cast<std::size_t>(ours.width);
+    const auto place = [&](std::size_t i) {
+        return std::pair{static_cast<int>(i % width), static_cast<int>(i / width)};
+    };
+    for (std::size_t i = 0; i < width * static_cast<std::size_t>(ours.height); ++i) {
+        const auto [x, y] = place(i);
+        const bool agrees = distance(color_at(ours, x, y), color_at(theirs, x, y)) <= tolerance;
+        (agrees ? agreeing : different).push_back(i);
+    }
+    const auto take = [&](const std::vector<std::size_t>& pixels) {
+        for (const std::size_t i : pixels) {
+            const auto [x, y] = place(i);
+            samples.points.push_back({x + reading.center_x, y + reading.center_y});
+            samples.theirs.push_back(color_at(theirs, x, y));
+        }
+        return pixels.size();
+    };
+    samples.different = take(thinned(different, most_different));
+    take(thinned(agreeing, most_agreeing));
+    return samples;
+}
+
+/// Keeps the best explanation that convinces; of two that are as good the one found first.
+class Best {
+  public:
+    explicit Best(const Samples& samples) : samples_(samples) {}
+
+    void consider(const Explanation& explanation) {
+        if (found_) return;
+        const Effect effect = effect_of(samples_, explanation.colors);
+        if (!effect.convinces()) return;
+        const double gain = effect.repaired - effect.spoilt;
+        if (words_ && gain <= gain_ + 0.005) return;
+        words_ = explanation.words;
+        gain_ = gain;
+        found_ = effect.is_perfect();
+    }
+    void consider(const std::vector<Explanation>& explanations) {
+        for (const Explanation& explanation : explanations) consider(explanation);
+    }
+    /// Nothing better can come.
+    bool found() const { return found_; }
+    const std::optional<std::string>& words() const { return words_; }
+
+  private:
+    const Samples& samples_;
+    std::optional<std::string> words_;
+    double gain_ = 0;
+    bool found_ = false;
+};
+
+std::vector<Color> colors_of(const SceneVariant& variant, const ValidationJob& job,
+                             const Samples& samples, const VariantTracer& tracer) {
+    Scene scene = *job.scene;
+    variant.change(scene);
+    if (!variant.mirrored) return tracer.trace(scene);
+    std::vector<PicturePoint> points = samples.points;
+    for (PicturePoint& p : points) p.x = tracer.view().width - p.x;
+    return tracer.trace(*compile(scene, scene.settings), scene.settings, points);
+}
+
+}  // namespace
+
+std::vector<Suspect> suspects_of(const Judgement& judgement, const ProbeFunction& probe) {
+    constexpr std::size_t most_looks = 4000;
+    std::vector<std::size_t> unexplained;
+    for (std::size_t i = 0; i < judgement.different.size(); ++i)
+        if (judgement.different[i].pixel_class == PixelClass::unexplained) unexplained.push_back(i);
+    std::map<std::uint32_t, std::size_t> counts;
+    const std::vector<std::size_t> looked_at = thinned(unexplained, most_looks);
+    for (const std::size_t i : looked_at) {
+        const DifferentPixel& pixel = judgement.different[i];
+        const std::uint32_t object = probe(pixel.x + 0.5, pixel.y + 0.5).object;
+        if (object != none) ++counts[object];
+    }
+    std::vector<Suspect> suspects;
+    for (const auto& [object, count] : counts)
+        suspects.push_back({object, count * unexplained.size() / looked_at.size()});
+    std::stable_sort(suspects.begin(), suspects.end(),
+                     [](const Suspect& a, const Suspect& b) { return a.pixels > b.pixels; });
+    if (suspects.size() > 3) suspects.resize(3);
+    return suspects;
+}
+
+std::optional<std::string> likely_cause(const ValidationJob& job, const Image& ours,
+                                        const Image& theirs, const Judgement& judgement,
+                                        const Reading& reading, bool clipped,
+                                        const ProbeFunction& probe) {
+    Samples samples = samples_of(ours, theirs, reading, clipped, job.expect.thresholds.interior);
+    if (judgement.different.size() < std::max(least_different, judgement.pixels / one_in))
+        return std::nullopt;
+    const Scene& scene = *job.scene;
+    const VariantTracer tracer(tracer_view(job.view), samples);
+    const auto renderer = compile(scene, scene.settings);
+    // Not clipped, as ours are: an explanation may make less of what lies above 1.
+    samples.ours = tracer.trace(*renderer, scene.settings, samples.points);
+
+    Best best(samples);
+    best.consider(value_fits(samples));
+    if (!best.found()) best.consider(turned_pictures(samples, tracer, scene, *renderer));
+    if (!best.found()) {
+        best.consider(
+            shifted_picture(samples, tracer, scene, *renderer, reading.center_x, reading.center_y));
+    }
+    if (renderer->counts().triangles > most_triangles) return best.words();
+    if (!best.found()) best.consider(other_lights(samples, tracer, job));
+    if (!best.found()) {
+        std::vector<std::size_t> objects;
+        for (const Suspect& suspect : suspects_of(judgement, probe))
+            objects.push_back(suspect.object);
+        for (const SceneVariant& variant : scene_variants(job, job.view.camera, objects)) {
+            if (best.found()) break;
+            try {
+                best.consider({variant.words, colors_of(variant, job, samples, tracer)});
+            } catch (const SceneError&) {
+                // A variant that cannot be rendered is nobody's picture.
+            }
+        }
+    }
+    if (!best.found()) best.consider(other_falloffs(samples, tracer, job));
+    return best.words();
+}
+
+}  // namespace lancer::judge

@@ -1,0 +1,57 @@
+// Points of a picture at which causes are tried: all that cost little, and enough to tell.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "model/image.h"
+#include "model/scene.h"
+#include "tracer/render.h"
+
+namespace lancer::judge {
+
+/// Some pixels of a picture: those that differ, and others that must not be spoilt.
+struct Samples {
+    std::vector<PicturePoint> points;  ///< where the other program is taken to look
+    std::vector<Color> ours;
+    std::vector<Color> theirs;
+    std::size_t different = 0;  ///< of the points, the first ones; the others agree
+    double tolerance = 1e-4;
+    double exposure = 1;
+    bool clipped = false;  ///< theirs hold nothing above 1: ours are clipped, too
+};
+
+/// Scene variants and points → light, in the units of the other picture.
+class VariantTracer {
+  public:
+    VariantTracer(const View& view, const Samples& samples) : view_(view), samples_(samples) {}
+
+    /// What `scene` has at the samples' points. An exception is the scene's (SceneError).
+    std::vector<Color> trace(const Scene& scene) const;
+    /// The same renderer for several sets of points.
+    std::vector<Color> trace(const Renderer& renderer, const Settings& settings,
+                             const std::vector<PicturePoint>& points) const;
+    const View& view() const { return view_; }
+
+  private:
+    View view_;
+    const Samples& samples_;
+};
+
+/// What an explanation does to the samples.
+struct Effect {
+    double repaired = 0;  ///< share of the different ones that agree by it
+    double spoilt = 0;    ///< share of the others that agree no more
+
+    /// Nearly all are repaired, and next to nothing is spoilt: edges may.
+    bool convinces() const { return repaired >= 0.9 && spoilt <= 0.02; }
+    bool is_perfect() const { return repaired >= 0.995 && spoilt <= 0.001; }
+};
+
+/// Of an explanation that has `colors` at the samples' points, not clipped yet.
+Effect effect_of(const Samples& samples, const std::vector<Color>& colors);
+
+/// A value as the other picture would hold it.
+Color as_held(const Color& color, const Samples& samples);
+
+}  // namespace lancer::judge

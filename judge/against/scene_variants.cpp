@@ -1,0 +1,168 @@
+#include "judge/against/scene_variants.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "judge/validate/place_words.h"
+
+namespace lancer::judge {
+
+namespace {
+
+bool is_parallel(const Vec3d& a, const Vec3d& b) {
+    const Vec3d across = cross(a, b);
+    return dot(across, across) < 1e-12 * dot(a, a) * dot(b, b);
+}
+
+void add_up_vectors(std::vector<SceneVariant>& variants, const Camera& seen, std::size_t camera) {
+    const Vec3d view = seen.look_at - seen.position;
+    const std::pair<const char*, Vec3d> axes[] = {
+        {"x", {1, 0, 0}}, {"y", {0, 1, 0}}, {"z", {0, 0, 1}}};
+    for (const auto& [name, up] : axes) {
+        if (is_parallel(up, view) || is_parallel(up, seen.up)) continue;
+        variants.push_back(
+            {fmt::format("{} is up in the other picture, and ({:g}, {:g}, {:g}) in the scene's "
+                         "camera",
+                         name, seen.up.x, seen.up.y, seen.up.z),
+             [camera, up = up](Scene& scene) { scene.cameras[camera].up = up; }});
+    }
+}
+
+using Swap = Vec3d (*)(const Vec3d&);
+
+/// A world whose axes are exchanged under a camera that stays is the same picture as the camera
+/// taken the other way.
+SceneVariant axes_exchanged(std::size_t camera, const char* words, Swap back, bool mirrored) {
+    return {words,
+            [camera, back](Scene& scene) {
+                Camera& seen = scene.cameras[camera];
+                seen.position = back(seen.position);
+                seen.look_at = back(seen.look_at);
+                seen.up = back(seen.up);
+            },
+            mirrored};
+}
+
+void add_exchanged_axes(std::vector<SceneVariant>& variants, std::size_t camera) {
+    variants.push_back(axes_exchanged(
+        camera,
+        "y and z are exchanged in the objects, not in the camera: (x, y, z) became "
+        "(x, -z, y)",
+        [](const Vec3d& v) { return Vec3d(v.x, v.z, -v.y); }, false));
+    variants.push_back(axes_exchanged(
+        camera,
+        "y and z are exchanged in the objects, not in the camera: (x, y, z) became "
+        "(x, z, -y)",
+        [](const Vec3d& v) { return Vec3d(v.x, -v.z, v.y); }, false));
+    variants.push_back(axes_exchanged(
+        camera,
+        "y and z are exchanged in the objects, not in the camera: (x, y, z) became "
+        "(x, z, y)",
+        [](const Vec3d& v) { return Vec3d(v.x, v.z, v.y); }, true));
+    variants.push_back(axes_exchanged(
+        camera, "z is turned over in the objects, not in the camera: (x, y, z) became (x, y, -z)",
+        [](const Vec3d& v) { return Vec3d(v.x, v.y, -v.z); }, true));
+}
+
+void add_fields_of_view(std::vector<SceneVariant>& variants, const Camera& seen, std::size_t camera,
+                        const reference::ExportView& view) {
+    const auto* perspective = std::get_if<PerspectiveProjection>(&seen.projection);
+    if (perspective == nullptr) return;
+    const double fov = perspective->fov;
+    const auto add = [&](std::string words, double other) {
+        if (!(other > 0 && other < 180) || std::abs(other - fov) < 1e-6) return;
+        variants.push_back({std::move(words), [camera, other](Scene& scene) {
+                                scene.cameras[camera].projection = PerspectiveProjection{other};
+                            }});
+    };
+    const double half = fov * std::numbers::pi / 360;
+    const double shape = static_cast<double>(view.height) / view.width;
+    add(fmt::format("fov {:g} is taken for the horizontal angle; it is the vertical one", fov),
+        2 * std::atan(std::tan(half) * shape) * 180 / std::numbers::pi);
+    add(fmt::format("fov {:g} is taken for half the angle; it is the full one", fov), 2 * fov);
+    add(fmt::format("half of fov {:g} is taken for the full angle", fov), fov / 2);
+}
+
+void add_settings(std::vector<SceneVariant>& variants, const Scene& scene) {
+    const auto add = [&](std::string words, auto change) {
+        variants.push_back({std::move(words), change});
+    };
+    if (scene.settings.shadows) {
+        add("there are no shadows", [](Scene& s) { s.settings.shadows = false; });
+    }
+    if (scene.settings.smooth && !scene.meshes.empty()) {
+        add("meshes are flat: their vertices' normals are not interpolated",
+            [](Scene& s) { s.settings.smooth = false; });
+    }
+    const int depth = scene.settings.max_depth;
+    const auto add_depth = [&](int other) {
+        add(fmt::format("rays are followed {} level{} deep; the scene says {}", other,
+                        other == 1 ? "" : "s", depth),
+            [other](Scene& s) { s.settings.max_depth = other; });
+    };
+    if (depth > 1) add_depth(1);
+    if (depth > 2) add_depth(depth - 1);
+    add_depth(depth + 1);
+}
+
+/// Lit as if its normals pointed the other way. Most programs then find no light at all, since the
+/// body is in the way; for a sheet it may come from behind.
+void turn_normals(Scene& scene, std::size_t object, bool from_behind) {
+    Object& turned = scene.objects[object];
+    Material material = scene.materials[turned.material];
+    material.diffuse_transmission = from_behind ? material.diffuse : 0;
+    material.phong_transmission = 0;
+    material.diffuse = material.phong = material.blinn = 0;
+    turned.material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back(material);
+}
+
+void add_normals(std::vector<SceneVariant>& variants, const ValidationJob& job,
+                 const std::vector<std::size_t>& suspects) {
+    for (const bool from_behind : {false, true}) {
+        for (const std::size_t object : suspects) {
+            variants.push_back({fmt::format("the normals of {} are flipped, it is lit from the "
+                                            "wrong side",
+                                            object_words(job, object)),
+                                [object, from_behind](Scene& scene) {
+                                    turn_normals(scene, object, from_behind);
+                                }});
+        }
+        if (job.scene->objects.size() < 2) continue;
+        variants.push_back({"all normals are flipped, everything is lit from the wrong side",
+                            [from_behind](Scene& scene) {
+                                for (std::size_t i = 0; i < scene.objects.size(); ++i)
+                                    turn_normals(scene, i, from_behind);
+                            }});
+    }
+}
+
+void add_missing(std::vector<SceneVariant>& variants, const ValidationJob& job,
+                 const std::vector<std::size_t>& suspects) {
+    for (const std::size_t object : suspects) {
+        variants.push_back({object_words(job, object) + " is missing", [object](Scene& scene) {
+                                scene.objects.erase(scene.objects.begin() +
+                                                    static_cast<std::ptrdiff_t>(object));
+                            }});
+    }
+}
+
+}  // namespace
+
+std::vector<SceneVariant> scene_variants(const ValidationJob& job, std::size_t camera,
+                                         const std::vector<std::size_t>& suspects) {
+    std::vector<SceneVariant> variants;
+    const Camera& seen = job.scene->cameras[camera];
+    add_up_vectors(variants, seen, camera);
+    add_exchanged_axes(variants, camera);
+    add_fields_of_view(variants, seen, camera, job.view);
+    add_settings(variants, *job.scene);
+    add_normals(variants, job, suspects);
+    add_missing(variants, job, suspects);
+    return variants;
+}
+
+}  // namespace lancer::judge

@@ -1,0 +1,20 @@
+// Causes that move the picture: turned over, mirrored, rays beside the pixels' centres.
+#pragma once
+
+#include <vector>
+
+#include "judge/against/value_fits.h"
+
+namespace lancer::judge {
+
+/// Upside down, mirrored, both.
+std::vector<Explanation> turned_pictures(const Samples& samples, const VariantTracer& tracer,
+                                         const Scene& scene, const Renderer& renderer);
+
+/// The picture whose rays go through other points of the pixels: the corners and middles of their
+/// sides are tried, and from the best of them the place is refined by Gauss and Newton's method,
+/// pixels that a shift explains badly counting little.
+Explanation shifted_picture(const Samples& samples, const VariantTracer& tracer, const Scene& scene,
+                            const Renderer& renderer, double center_x, double center_y);
+
+}  // namespace lancer::judge

@@ -1,0 +1,25 @@
+// Causes that change a value by itself: a curve too many, a factor.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "judge/against/samples.h"
+
+namespace lancer::judge {
+
+/// An explanation: what to say, and what the picture would be by it.
+struct Explanation {
+    std::string words;  ///< a sentence without a full stop
+    std::vector<Color> colors;
+};
+
+/// Curves applied once too often or too seldom, another exponent, a factor for all or for single
+/// channels: those that can be fitted, the plainest first.
+std::vector<Explanation> value_fits(const Samples& samples);
+
+/// A factor as a text of up to six digits that tells it from 1.
+std::string factor_text(double factor);
+
+}  // namespace lancer::judge

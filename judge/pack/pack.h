@@ -1,0 +1,41 @@
+// What another renderer needs to test itself on a scene: the scene as neutral data, the picture and
+// what lies behind it as floats, and exact values for chosen pixels, each with its error.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "judge/validate/validate.h"
+
+namespace lancer::judge {
+
+/// How many pixels get exact values.
+inline constexpr std::size_t default_probes = 32;
+
+struct PackedFile {
+    std::string name;  ///< within the scene's folder
+    std::string bytes;
+};
+
+struct Pack {
+    /// What the format has no words for, with places; then there are no files.
+    std::vector<Diagnostic> refusals;
+    std::vector<PackedFile> files;
+    std::size_t undecided = 0;  ///< pixels of which the last digits decide
+    std::size_t probes = 0;
+};
+
+/// Packs what `job` shows: one ray through the centre of each pixel, no branch left out. The scene
+/// must have been prepared for that, see prepare_for_validation(). Throws SceneError.
+Pack pack_scene(const ValidationJob& job, std::size_t probes);
+
+/// The page that says what all of it means, in Markdown.
+std::string pack_readme();
+
+/// pack.json, which lists the scenes' folders and by which a folder is known to be a pack.
+std::string pack_index(const std::vector<std::string>& names, const std::string& lancer_version);
+
+/// Whether the text is that of such a file.
+bool is_pack_index(const std::string& text);
+
+}  // namespace lancer::judge

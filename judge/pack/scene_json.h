@@ -1,0 +1,39 @@
+// A scene as neutral data.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+#include "judge/pack/pack.h"
+#include "model/scene.h"
+
+namespace lancer::judge {
+
+using Json = nlohmann::ordered_json;
+
+inline Json to_json(const Vec3d& v) {
+    return {v.x, v.y, v.z};
+}
+inline Json to_json(const Vec2d& v) {
+    return {v.x, v.y};
+}
+
+/// Collects the files that a scene's data name, and what has no words.
+struct PackSink {
+    std::vector<PackedFile> files;
+    std::vector<Diagnostic> refusals;
+
+    void refuse(const SourceSpan& place, const std::string& what);
+};
+
+/// {"kind": "sphere", "center": [...], ...}: docs of each in the pack's README. Meshes become
+/// files.
+Json shape_json(const Scene& scene, const Object& object, PackSink& sink);
+Json object_json(const Scene& scene, const Object& object, PackSink& sink);
+
+/// Everything but pictures and probes: camera, lights, materials, textures, images, objects.
+Json scene_json(const Scene& scene, std::size_t camera, PackSink& sink);
+
+}  // namespace lancer::judge

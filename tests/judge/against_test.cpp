@@ -1,0 +1,337 @@
+// Pictures with planted faults and without: what `validate --against` makes of them.
+#include "judge/against/against.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "model/io/temporary_file.h"
+#include "model/srgb.h"
+
+namespace lancer::judge {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int width = 64;
+constexpr int height = 48;
+
+/// A scene drawn by a seed: balls and a box on a chequered floor, one of them a mirror, two lamps.
+class Drawn {
+  public:
+    explicit Drawn(unsigned seed) : random_(seed) {
+        scene_.width = width;
+        scene_.height = height;
+        scene_.background = {0.12, 0.2, 0.33};
+        scene_.settings.max_depth = 4;
+        prepare_for_validation(scene_);
+        Camera camera;
+        camera.position = {between(-1, 1), between(2, 3.2), between(7, 9)};
+        camera.look_at = {between(-0.4, 0.4), 0.6, between(-0.4, 0.4)};
+        camera.projection = PerspectiveProjection{between(35, 45)};
+        scene_.cameras = {camera};
+        scene_.textures.push_back({Checker{{0.8, 0.75, 0.6}, {0.25, 0.3, 0.4}}, {}});
+        Material floor = material();
+        floor.texture = 0;
+        show(Plane{{0, 1, 0}, -0.013}, floor);
+        for (int i = 0; i < 3; ++i) {
+            const double radius = between(0.6, 0.9);
+            show(Sphere{{1.9 * (i - 1) + between(-0.2, 0.2), radius, between(-0.5, 0.5)}, radius},
+                 material());
+        }
+        Material mirror = material();
+        mirror.reflection = Color(0.3);
+        show(Sphere{{between(-1, 1), 0.5, 2.2}, 0.5}, mirror);
+        light({between(-5, -3), between(5, 7), between(3, 6)}, between(0.5, 0.7));
+        light({between(3, 5), between(4, 6), between(4, 7)}, between(0.2, 0.4));
+    }
+
+    double between(double least, double most) {
+        return std::uniform_real_distribution<double>(least, most)(random_);
+    }
+    int one_of(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+    Scene& scene() { return scene_; }
+
+  private:
+    Material material() {
+        Material made;
+        made.color = {between(0.3, 0.9), between(0.3, 0.9), between(0.3, 0.9)};
+        made.ambient = between(0.1, 0.2);
+        made.diffuse = between(0.5, 0.7);
+        made.phong = between(0, 0.3);
+        return made;
+    }
+    void show(Shape shape, const Material& made) {
+        scene_.materials.push_back(made);
+        Object object;
+        object.shape = shape;
+        object.material = static_cast<std::uint32_t>(scene_.materials.size() - 1);
+        scene_.objects.push_back(object);
+    }
+    void light(Vec3d position, double brightness) {
+        Light made;
+        made.kind = PointLight{position, {}};
+        made.color = Color(brightness, brightness, 0.9 * brightness);
+        scene_.lights.push_back(made);
+    }
+
+    std::mt19937 random_;
+    Scene scene_;
+};
+
+/// What another program makes of the scene: here by numbers of another precision, and rounded.
+Image rendered(const Scene& scene, double shift_x = 0, double shift_y = 0) {
+    Settings settings = scene.settings;
+    settings.precision = Precision::extended;
+    const View view{0, width, height, {}, false};
+    std::vector<PicturePoint> points;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) points.push_back({x + 0.5 + shift_x, y + 0.5 + shift_y});
+    std::vector<Color> colors(points.size());
+    RayCounts counts;
+    compile(scene, settings)->trace(view, points, {settings.max_depth, 0}, colors, {}, counts);
+    Image image(width, height);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        for (int c = 0; c < 3; ++c) image.data[3 * i + static_cast<std::size_t>(c)] = colors[i][c];
+    return image;
+}
+
+class Against : public testing::Test {
+  protected:
+    Validation judged(const Scene& scene, const Image& picture, const Reading& reading = {},
+                      const char* name = "other.png", int bits = 16) {
+        const std::string file = folder_.path().string() + "/" + name;
+        io::ImageWriteOptions options;
+        options.bits = bits;
+        options.linear = true;
+        io::write_image(file, picture, options);
+        AgainstJob job;
+        job.scene.name = "drawn";
+        job.scene.scene = std::make_shared<const Scene>(scene);
+        job.scene.view = {0, 320, 240};
+        job.picture = file;
+        job.reading = reading;
+        return validate_against(job);
+    }
+    io::TemporaryFolder folder_;
+};
+
+std::string said(const Validation& v) {
+    std::string text = "likely cause: " + v.cause.value_or("none") + "\n";
+    for (const std::string& reason : v.reasons) text += reason + "\n";
+    return text;
+}
+
+struct Planted {
+    Image picture;
+    std::string cause;  ///< what the words must hold
+};
+
+/// The fault number `kind`, its amount drawn.
+Planted plant(Drawn& drawn, int kind) {
+    Scene scene = drawn.scene();
+    const auto valued = [&](auto map) {
+        Image image = rendered(scene);
+        for (double& value : image.data) value = map(std::clamp(value, 0.0, 1.0));
+        return image;
+    };
+    switch (kind) {
+        case 0: {
+            const double x = drawn.one_of(2) == 0 ? -0.5 : 0.5;
+            return {rendered(scene, x, -0.5),
+                    x < 0 ? "(--pixel-center 0)" : "(--pixel-center 1,0)"};
+        }
+        case 1:
+            return {rendered(scene, drawn.between(0.1, 0.45), 0.25), "pixel-center 0."};
+        case 2:
+        case 3: {
+            const Image image = rendered(scene);
+            Image turned = image;
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    std::copy_n(
+                        kind == 2 ? image.pixel(x, height - 1 - y) : image.pixel(width - 1 - x, y),
+                        3, turned.pixel(x, y));
+            return {turned, kind == 2 ? "upside down" : "left and right are exchanged"};
+        }
+        case 4:
+            return {valued([](double v) { return srgb_encode(v); }), "gamma is applied twice"};
+        case 5: {
+            const double power = drawn.between(1.5, 2.5);
+            return {valued([&](double v) { return std::pow(v, 1 / power); }),
+                    "gamma of " + std::to_string(power).substr(0, 3)};
+        }
+        case 6: {
+            const double factor = std::round(1000 * drawn.between(0.4, 0.95)) / 1000;
+            return {valued([&](double v) { return v * factor; }),
+                    "everything is " + std::to_string(factor).substr(0, 4)};
+        }
+        case 7: {
+            const int light = drawn.one_of(2);
+            const bool dimmer = drawn.one_of(2) == 0;
+            for (int c = 0; c < 3; ++c)
+                scene.lights[static_cast<std::size_t>(light)].color[c] *= dimmer ? 0.99 : 1.01;
+            return {rendered(scene), "light " + std::to_string(light + 1) + " is " +
+                                         (dimmer ? "0.99 times" : "1.01 times")};
+        }
+        case 8: {
+            const auto object = static_cast<std::size_t>(drawn.one_of(5));
+            Material& material = scene.materials[scene.objects[object].material];
+            material.diffuse_transmission = material.diffuse;
+            material.diffuse = material.phong = 0;
+            return {rendered(scene),
+                    "the normals of object " + std::to_string(object + 1) + " are flipped"};
+        }
+        case 9: {
+            auto& lamp = std::get<PointLight>(scene.lights[0].kind);
+            lamp.fade = Fade{1e-4, 2};
+            for (int c = 0; c < 3; ++c) scene.lights[0].color[c] *= drawn.between(2e9, 2.1e9);
+            for (int c = 1; c < 3; ++c) scene.lights[0].color[c] = scene.lights[0].color[0];
+            drawn.scene().lights[0].color = Color(0.6);
+            return {rendered(scene), "light 1 falls off with the square of the distance"};
+        }
+        case 10:
+            scene.cameras[0].up = {1, 0, 0};
+            return {rendered(scene), "x is up in the other picture"};
+        case 11: {
+            const auto object = static_cast<std::size_t>(1 + drawn.one_of(4));
+            scene.objects.erase(scene.objects.begin() + static_cast<std::ptrdiff_t>(object));
+            return {rendered(scene), "object " + std::to_string(object + 1) + " is missing"};
+        }
+        default: {
+            auto& lens = std::get<PerspectiveProjection>(scene.cameras[0].projection);
+            lens.fov = 2 * std::atan(std::tan(lens.fov * M_PI / 360) * height / width) * 180 / M_PI;
+            return {rendered(scene), "is taken for the horizontal angle"};
+        }
+    }
+}
+
+TEST_F(Against, NamesTheCauseOfEachPlantedFault) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Drawn drawn(100 + seed);
+        const Planted fault = plant(drawn, static_cast<int>(seed % 13));
+        const Validation v = judged(drawn.scene(), fault.picture);
+        EXPECT_EQ(v.verdict, Verdict::differs) << seed << said(v);
+        EXPECT_THAT(v.cause.value_or("none"), HasSubstr(fault.cause)) << seed << said(v);
+    }
+}
+
+TEST_F(Against, NamesNoCauseWhereThereIsNoFault) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Drawn drawn(200 + seed);
+        const Validation v = judged(drawn.scene(), rendered(drawn.scene()));
+        EXPECT_EQ(v.verdict, Verdict::agrees) << seed << said(v);
+        EXPECT_FALSE(v.cause) << seed << said(v);
+    }
+}
+
+TEST_F(Against, NamesNoCauseOfWhatIsNone) {
+    // Noise, two faults at once, and a spot: all differ, and nothing plain explains them.
+    Drawn drawn(7);
+    Image noise = rendered(drawn.scene());
+    for (double& value : noise.data) value += drawn.between(-0.01, 0.01);
+    Image spot = rendered(drawn.scene());
+    for (int y = 10; y < 30; ++y)
+        for (int x = 20; x < 50; ++x) spot.pixel(x, y)[1] *= 0.01 * x;
+    Scene two = drawn.scene();
+    two.objects.erase(two.objects.begin() + 1);
+    two.cameras[0].position.x += 0.3;
+    for (const Image& picture : {noise, spot, rendered(two)}) {
+        const Validation v = judged(drawn.scene(), picture);
+        EXPECT_EQ(v.verdict, Verdict::differs) << said(v);
+        EXPECT_FALSE(v.cause) << said(v);
+    }
+}
+
+TEST_F(Against, ReadsWhatItIsTold) {
+    Drawn drawn(3);
+    const Scene& scene = drawn.scene();
+    Reading corner;
+    corner.center_x = corner.center_y = 0;
+    EXPECT_EQ(judged(scene, rendered(scene, -0.5, -0.5), corner).verdict, Verdict::agrees);
+    Image dark = rendered(scene);
+    for (double& value : dark.data) value *= 0.25;
+    Reading quarter;
+    quarter.exposure = 0.25;
+    EXPECT_EQ(judged(scene, dark, quarter).verdict, Verdict::agrees);
+    Image powers = rendered(scene);
+    for (double& value : powers.data) value = std::pow(std::clamp(value, 0.0, 1.0), 1 / 2.2);
+    Reading gamma;
+    gamma.encoding = {Encoding::Kind::gamma, 2.2};
+    EXPECT_EQ(judged(scene, powers, gamma).verdict, Verdict::agrees);
+    EXPECT_EQ(judged(scene, powers).verdict, Verdict::differs);
+    EXPECT_EQ(judged(scene, rendered(scene), {}, "other.exr").verdict, Verdict::agrees);
+}
+
+TEST_F(Against, RefusesWhatCannotBeJudged) {
+    Drawn drawn(5);
+    const Scene& scene = drawn.scene();
+    const Image picture = rendered(scene);
+    const auto first = [](const Validation& v) { return v.reasons.empty() ? "" : v.reasons[0]; };
+
+    const Validation coarse = judged(scene, picture, {}, "other.png", 8);
+    EXPECT_EQ(coarse.verdict, Verdict::failed);
+    EXPECT_THAT(first(coarse), HasSubstr("holds 8 bits a channel, too coarse to be judged"));
+
+    const Validation cropped = judged(scene, Image(50, 48));
+    EXPECT_EQ(cropped.verdict, Verdict::differs);
+    EXPECT_THAT(first(cropped), HasSubstr("50 x 48 pixels, other proportions than the scene's 64 "
+                                          "x 48: it is cropped or another view"));
+
+    Image holey(width, height, 4);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            std::copy_n(picture.pixel(x, y), 3, holey.pixel(x, y));
+            holey.pixel(x, y)[3] = 1;
+        }
+    }
+    EXPECT_EQ(judged(scene, holey).verdict, Verdict::agrees) << "an alpha of 1 says nothing";
+    holey.pixel(3, 4)[3] = 0.5;
+    const Validation alpha = judged(scene, holey);
+    EXPECT_EQ(alpha.verdict, Verdict::failed);
+    EXPECT_THAT(first(alpha), HasSubstr("is not opaque"));
+    EXPECT_THAT(first(alpha), HasSubstr("at (3, 4)"));
+
+    Image bad = picture;
+    bad.pixel(5, 6)[1] = std::numeric_limits<double>::quiet_NaN();
+    const Validation nan = judged(scene, bad, {}, "nan.exr");
+    EXPECT_EQ(nan.verdict, Verdict::differs);
+    EXPECT_THAT(first(nan), HasSubstr("1 value that is NaN or infinite, the first at (5, 6)"));
+
+    AgainstJob job;
+    job.scene.scene = std::make_shared<const Scene>(scene);
+    job.picture = folder_.path().string() + "/nowhere.png";
+    EXPECT_EQ(validate_against(job).verdict, Verdict::failed);
+    EXPECT_THROW(picture_in_folder(folder_.path().string(), "a/nowhere.lancer"), FileError);
+    EXPECT_THAT(picture_in_folder(folder_.path().string(), "a/other.lancer"),
+                HasSubstr("/other.png"));
+}
+
+TEST_F(Against, HalfFloatsAreTooCoarse) {
+    Drawn drawn(6);
+    Image half = rendered(drawn.scene());
+    for (double& value : half.data) {
+        int exponent = 0;
+        const double digits = std::frexp(value, &exponent);
+        value = std::ldexp(std::round(std::ldexp(digits, 11)), exponent - 11);
+    }
+    const Validation v = judged(drawn.scene(), half, {}, "half.exr");
+    EXPECT_EQ(v.verdict, Verdict::failed);
+    EXPECT_THAT(said(v), HasSubstr("11 binary digits"));
+}
+
+TEST_F(Against, SaysWhichObjectsDiffer) {
+    Drawn drawn(8);
+    Scene other = drawn.scene();
+    other.materials[other.objects[2].material].phong += 0.2;
+    other.materials[other.objects[2].material].shininess = 5;
+    const Validation v = judged(drawn.scene(), rendered(other));
+    EXPECT_EQ(v.verdict, Verdict::differs);
+    EXPECT_THAT(said(v), HasSubstr("of them show object 3"));
+}
+
+}  // namespace
+}  // namespace lancer::judge
