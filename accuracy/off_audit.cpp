@@ -12,11 +12,12 @@ namespace lancer::accuracy {
 namespace {
 
 constexpr std::size_t nets = 8;
-constexpr std::uint32_t first_points = 16;  // of a net: all together miss nothing above 1/128 pixel
-constexpr std::uint32_t most_points = 2048;
+constexpr std::uint32_t fewest_points = 16;  // of a net: with 4, thin wires are missed
+constexpr std::uint32_t most_first_points = 64;
+constexpr std::uint32_t most_points = 512;
 constexpr std::uint32_t left_out_points = 4;
-// Student's t for 7 degrees of freedom: beyond it lies one pixel in 1,000 that is drawn.
-constexpr double sure = 5.41;
+// Student's t for 7 degrees of freedom: beyond it lies one pixel in 200 of those that need more.
+constexpr double sure = 4.03;
 /// Beside the audits' of errors and the measurements of limits, see limits.cpp.
 constexpr std::uint64_t stream = std::uint64_t(1) << 63 | std::uint64_t(1) << 61;
 
@@ -91,6 +92,14 @@ std::vector<Draw> drawn(const Samples& samples, const OffPlan& plan) {
     return draws;
 }
 
+/// So many points a net that what all miss puts no pixel off: light of 1 in less than 1/n of it
+/// adds less than 1/n.
+std::uint32_t first_points(double threshold) {
+    std::uint32_t points = fewest_points;
+    while (points < most_first_points && double(nets) * points * threshold < 1) points *= 2;
+    return points;
+}
+
 }  // namespace
 
 OffCount count_off(const Truth& truth, const Samples& samples, const OffPlan& plan) {
@@ -98,7 +107,8 @@ OffCount count_off(const Truth& truth, const Samples& samples, const OffPlan& pl
     OffCount count;
     count.draws = open.size();
     std::uint32_t held = 0;
-    for (std::uint32_t points = first_points; points <= most_points; points *= 2) {
+    const std::uint32_t first = first_points(plan.threshold);
+    for (std::uint32_t points = first; points <= most_points; points *= 2) {
         raise(truth, samples, plan.number, open, held, points, count.rays);
         held = points;
         std::erase_if(open, [&](const Draw& draw) {

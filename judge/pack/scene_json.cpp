@@ -89,9 +89,14 @@ const char* name_of(ImageTexture::Mapping mapping) {
     return "";
 }
 
-struct PatternWriter {
-    PackSink& sink;
+Json gradient_json(const Gradient& g) {
+    Json stops = Json::array();
+    for (const Gradient::Stop& stop : g.stops)
+        stops.push_back({{"at", stop.at}, {"color", to_json(stop.color)}});
+    return {{"kind", "gradient"}, {"axis", to_json(g.axis)}, {"stops", stops}};
+}
 
+struct PatternWriter {
     Json operator()(const ImageTexture& t) const {
         return {{"kind", "image"},
                 {"image", t.image},
@@ -102,17 +107,8 @@ struct PatternWriter {
     Json operator()(const Checker& c) const {
         return {{"kind", "checker"}, {"even", to_json(c.even)}, {"odd", to_json(c.odd)}};
     }
-    Json operator()(const Gradient& g) const {
-        Json stops = Json::array();
-        for (const Gradient::Stop& stop : g.stops)
-            stops.push_back({{"at", stop.at}, {"color", to_json(stop.color)}});
-        return {{"kind", "gradient"}, {"axis", to_json(g.axis)}, {"stops", stops}};
-    }
-    template <class Newer>
-    Json operator()(const Newer&) const {
-        sink.refuse({}, "a pack has no words for one of the scene's textures yet");
-        return {};
-    }
+    Json operator()(const Gradient& g) const { return gradient_json(g); }
+    Json operator()(const VertexColors&) const { return {{"kind", "vertex"}}; }
 };
 
 /// Channels `begin`..`begin + count` of an image.
@@ -154,6 +150,7 @@ Json scene_json(const Scene& scene, std::size_t camera, PackSink& sink) {
     json["max_depth"] = scene.settings.max_depth;
     json["shadows"] = scene.settings.shadows;
     json["background"] = to_json(scene.background);
+    json["sky"] = scene.sky ? gradient_json(*scene.sky) : Json(nullptr);
     json["ambient"] = to_json(scene.ambient);
     for (const char* list : {"lights", "transforms", "images", "textures", "materials", "objects"})
         json[list] = Json::array();
@@ -168,7 +165,7 @@ Json scene_json(const Scene& scene, std::size_t camera, PackSink& sink) {
     for (std::size_t i = 0; i < scene.images.size(); ++i)
         json["images"].push_back(image_json(scene.images[i], i, sink));
     for (const Texture& texture : scene.textures) {
-        Json made = std::visit(PatternWriter{sink}, texture.pattern);
+        Json made = std::visit(PatternWriter{}, texture.pattern);
         made["to_object"] = affine_json(texture.to_object);
         json["textures"].push_back(std::move(made));
     }

@@ -38,7 +38,15 @@ std::string numbers_line(const char* word, std::initializer_list<double> numbers
 /// A mesh as Wavefront OBJ, with as many digits as its numbers have.
 std::string obj_text(const Mesh& mesh, bool smooth) {
     std::string text;
-    for (const Vec3d& v : mesh.vertices) text += numbers_line("v", {v.x, v.y, v.z});
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Vec3d& v = mesh.vertices[i];
+        if (mesh.colors.empty()) {
+            text += numbers_line("v", {v.x, v.y, v.z});
+        } else {
+            const Vec3d& c = mesh.colors[i];
+            text += numbers_line("v", {v.x, v.y, v.z, c.x, c.y, c.z});
+        }
+    }
     const bool normals = smooth && !mesh.normals.empty();
     if (normals)
         for (const Vec3d& n : mesh.normals) text += numbers_line("vn", {n.x, n.y, n.z});
@@ -89,6 +97,9 @@ class ShapeWriter {
                 {"base_radius", c.base_radius},
                 {"top_radius", c.top_radius},
                 {"capped", c.capped}};
+    }
+    Json operator()(const Torus& t) const {
+        return {{"kind", "torus"}, {"radius", t.radius}, {"tube", t.tube}};
     }
     Json operator()(const Plane& p) const {
         return {{"kind", "plane"}, {"normal", to_json(p.normal)}, {"offset", p.offset}};
@@ -152,11 +163,6 @@ class ShapeWriter {
             leaves.push_back(std::move(json));
         }
         return {{"kind", "composite"}, {"nodes", nodes}, {"leaves", leaves}};
-    }
-    template <class Newer>
-    Json operator()(const Newer&) const {
-        sink_.refuse(object_.place, "a pack has no words for this shape yet");
-        return {};
     }
 
   private:

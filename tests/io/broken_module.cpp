@@ -97,7 +97,11 @@ std::string write(const StoredShape&, const void*, const std::string&, PictureSi
     std::abort();
 }
 
-const ImageModule functions{read, write, confine};
+std::string write_rows(const StoredShape&, const RowsOf&, const std::string&, int) {
+    std::abort();
+}
+
+const ImageModule functions{read, write, write_rows, confine};
 
 }  // namespace
 }  // namespace lancer::io

@@ -144,8 +144,11 @@ Planted plant(Drawn& drawn, int kind) {
             return {rendered(scene, x, -0.5),
                     x < 0 ? "(--pixel-center 0)" : "(--pixel-center 1,0)"};
         }
-        case 1:
-            return {rendered(scene, drawn.between(0.1, 0.45), 0.25), "pixel-center 0."};
+        case 1: {
+            const double x = drawn.one_of(2) == 0 ? -0.5 : 0.5;
+            return {rendered(scene, x, 0),
+                    x < 0 ? "(--pixel-center 0,0.5)" : "(--pixel-center 1,0.5)"};
+        }
         case 2:
         case 3: {
             const Image image = rendered(scene);

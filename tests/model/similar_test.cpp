@@ -10,8 +10,8 @@ Scene one_of_each() {
     scene.cameras.push_back({"", {0, 1, 8}, {0, 1, 0}, {0, 1, 0}, PerspectiveProjection{40}, {}});
     scene.cameras.push_back({"", {0, 1, 8}, {0, 1, 0}, {0, 1, 0}, OrthographicProjection{4}, {}});
     scene.transforms.push_back({{Vec3d(2, 0, 0), Vec3d(0, 2, 0), Vec3d(0, 0, 2)}, Vec3d(1, 2, 3)});
-    scene.meshes.push_back(std::make_shared<Mesh>(
-        Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {{0, 0, 1}}, {{0, 0, 0}}, {}, {}}));
+    scene.meshes.push_back(std::make_shared<Mesh>(Mesh{
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {{0, 0, 1}}, {{0, 0, 0}}, {}, {}, {}}));
     const auto add = [&](const Shape& shape) -> Object& {
         return scene.objects.emplace_back(Object{shape, 0, 0, none, true, {}});
     };

@@ -23,6 +23,7 @@ class NoMethods final : public wide::ExactMethods {
     void follow(const wide::LaneRay&, const wide::LaneStart&, double, int, const double*,
                 const wide::LightSink&) override {}
     void shade(const wide::LaneRay&, const wide::LaneHit&, double, int, double*) override {}
+    void behind(const double*, double*) override {}
     void surface(const wide::LaneRay&, const wide::LaneHit&, wide::LaneSurface& s) override {
         ++asked;
         s = {};

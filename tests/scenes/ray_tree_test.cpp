@@ -11,14 +11,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Color behind(const Scene& scene, const Vec3d& direction) {
+    if (!scene.sky) return scene.background;
+    const auto& stops = scene.sky->stops;
+    const double cosine = dot(normalize(scene.sky->axis), normalize(direction));
+    std::size_t next = 0;
+    while (next < stops.size() && stops[next].at <= cosine) ++next;
+    if (next == 0) return stops.front().color;
+    if (next == stops.size()) return stops.back().color;
+    const double share = (cosine - stops[next - 1].at) / (stops[next].at - stops[next - 1].at);
+    return (1 - share) * stops[next - 1].color + share * stops[next].color;
+}
+
 /// What the surfaces and backgrounds of a tree send, each by its weight.
-Color sum_of(const RayTree& tree, const Color& background) {
+Color sum_of(const RayTree& tree, const Scene& scene) {
     Color sum(0);
     for (const RayTree::Ray& ray : tree.rays) {
         for (const RayTree::Contact& contact : ray.contacts)
             for (const RayTree::Surface& surface : contact.surfaces)
                 sum += surface.weight * surface.own;
-        if (ray.end == RayTree::End::background) sum += ray.share * background;
+        if (ray.end == RayTree::End::background) sum += ray.share * behind(scene, ray.direction);
     }
     return sum;
 }
@@ -58,7 +70,7 @@ void expect_trees_of_the_picture(const Scene& scene, const std::string& path) {
                 const RayTree tree = renderer->ray_tree(view, at);
                 ASSERT_FALSE(tree.is_cut) << path;
                 expect_a_tree(tree);
-                const Color told = sum_of(tree, scene.background);
+                const Color told = sum_of(tree, scene);
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(told[c], tree.color[c], 1e-12 * (1 + std::abs(tree.color[c])))
                         << path << " at " << at.x << "," << at.y;

@@ -22,7 +22,7 @@ std::shared_ptr<const Image> coordinates() {
 }
 
 /// A scene with a texture and a material 1 that shows it unshaded.
-Scene with_texture(const std::variant<ImageTexture, Checker, Gradient>& pattern,
+Scene with_texture(const decltype(Texture::pattern)& pattern,
                    const Affine<double>& to_object = {}) {
     Scene scene;
     scene.images.push_back({"coordinates", false, coordinates()});

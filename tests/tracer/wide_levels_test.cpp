@@ -145,6 +145,8 @@ Scene glassware(unsigned seed) {
     s.scene.width = 48;
     s.scene.height = 36;
     s.scene.background = Color(0.2, 0.3, 0.5);
+    if (random() % 3 == 0)
+        s.scene.sky = Gradient{{0.2, 1, 0.1}, {{0, {1, 0.8, 0.6}}, {1, {0.2, 0.3, 0.9}}}};
     s.scene.settings.max_depth = 2 + static_cast<int>(random() % 7);
     s.look({between(-2, 2), between(0.5, 3), between(6, 8)}, {0, 0.7, 0}, 45);
     s.lamp({between(2, 5), between(3, 6), between(0, 5)});

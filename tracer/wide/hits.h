@@ -3,7 +3,7 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// The nearest hits so far, by the rules of IntersectionFilter for opaque worlds and of
+/// The nearest hits so far, by the rules of IntersectionFilter and of
 /// NearestContact.
 ///
 /// A contact holds one hit for certain when no other lies before nearest.t + 8 nearest.error,

@@ -42,7 +42,7 @@ class Passes {
     /// What is left of the light of lane `i`, which is not unsure: SeeThrough::tells_all(), and
     /// transmittance().
     ///
-    /// \param bodies  that the way begins in
+    /// \param start  where the way begins, and the bodies that it begins in
     /// \return false where this cannot be told
     bool transmittance(const Scene& scene, int i, const LaneStart& start, double* light) {
         sort(i);

@@ -41,6 +41,7 @@ struct ShapeWriter {
                              vector(normal), c.radius));
     }
     void operator()(const Cone&) const {}
+    void operator()(const Torus&) const {}
     void operator()(const Plane& p) const {
         const Vec3d n = normalize(p.normal);
         line(fmt::format("PLANE CENTER {} NORMAL {}", vector(n * p.offset), vector(n)));
