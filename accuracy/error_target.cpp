@@ -213,9 +213,7 @@ class Search {
     /// More samples brought nothing: the limits may cut what only an audit has met. Begins anew
     /// with the truth's. False when they are those already.
     bool cuts_too_much() {
-        TraceLimits whole = truth_.limits;
-        if (goal_.fixed.max_depth) whole.max_depth = *goal_.fixed.max_depth;
-        if (goal_.fixed.min_contribution) whole.min_contribution = *goal_.fixed.min_contribution;
+        const TraceLimits whole = whole_limits(truth_, goal_.fixed);
         if (whole.max_depth == report_.limits.max_depth &&
             whole.min_contribution == report_.limits.min_contribution)
             return false;

@@ -53,11 +53,14 @@ TraceLimits limits_of_truth(double error) {
     return {64, error / 100};
 }
 
+TraceLimits whole_limits(const Truth& truth, const FixedLimits& fixed) {
+    return {fixed.max_depth.value_or(truth.limits.max_depth),
+            fixed.min_contribution.value_or(truth.limits.min_contribution)};
+}
+
 TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLimits& fixed,
                             double mean_square, std::uint64_t seed, RayCounts& rays) {
-    TraceLimits best = truth.limits;
-    if (fixed.max_depth) best.max_depth = *fixed.max_depth;
-    if (fixed.min_contribution) best.min_contribution = *fixed.min_contribution;
+    TraceLimits best = whole_limits(truth, fixed);
     if (fixed.max_depth && fixed.min_contribution) return best;
 
     const Crop part = part_of(view);

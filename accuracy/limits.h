@@ -19,6 +19,9 @@ struct FixedLimits {
 /// or after 64 mirrors and bends.
 TraceLimits limits_of_truth(double error);
 
+/// The truth's limits, but for what is fixed: nothing else is cut.
+TraceLimits whole_limits(const Truth& truth, const FixedLimits& fixed);
+
 /// The limits with the fewest rays whose mean squared difference from the truth is at most
 /// `mean_square`, as far as points spread over the picture tell. Adds to `rays`.
 TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLimits& fixed,

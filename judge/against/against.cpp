@@ -8,7 +8,6 @@
 #include <filesystem>
 
 #include "judge/against/causes.h"
-#include "judge/report/shell_text.h"
 #include "judge/validate/place_words.h"
 
 namespace lancer::judge {
@@ -141,15 +140,7 @@ void judge(Validation& result, const AgainstJob& job) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.ours = std::move(ours.image);
     result.theirs = std::move(picture);
-    reference::CompareOptions options;
-    options.fail = result.thresholds.interior;
-    options.fail_percent = 100;  // the judgement decides, not this
-    result.comparison = reference::compare_images(result.ours, result.theirs, options);
-    if (!result.comparison.comparable) {
-        result.verdict = Verdict::differs;
-        result.reasons.push_back(result.comparison.reason);
-        return;
-    }
+    if (!compare_pictures(result)) return;
     result.judgement = judge_pictures(result.ours, result.theirs, ours.probe, result.thresholds, {},
                                       rays_for_explaining(ours.rays));
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
@@ -163,26 +154,11 @@ void judge(Validation& result, const AgainstJob& job) {
 }  // namespace
 
 Validation validate_against(const AgainstJob& job) {
-    Validation result;
-    result.name = job.scene.name;
-    result.path = job.scene.path;
-    result.scene_words =
-        job.scene.scene_words.empty() ? shell_quoted(job.scene.path) : job.scene.scene_words;
-    result.picture = job.picture;
-    result.view = job.scene.view;
-    result.exposure = job.reading.exposure;
-    result.thresholds = job.scene.expect.thresholds;
-    result.expectations = job.scene.expect.reasons;
-    try {
+    return validation_of(job.scene, [&](Validation& result) {
+        result.picture = job.picture;
+        result.exposure = job.reading.exposure;
         judge(result, job);
-    } catch (const FileError& error) {
-        result.verdict = Verdict::failed;
-        result.reasons.emplace_back(error.what());
-    } catch (const SceneError& error) {
-        result.verdict = Verdict::failed;
-        result.reasons.emplace_back(error.what());
-    }
-    return result;
+    });
 }
 
 std::string picture_in_folder(const std::string& folder, const std::string& scene_path) {

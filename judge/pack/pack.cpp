@@ -14,19 +14,11 @@ namespace {
 
 constexpr const char* format_name = "lancer-pack 1";
 
-std::vector<double> channels(const Image& image, int begin, int count) {
-    std::vector<double> values;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = begin; c < begin + count; ++c) values.push_back(image.pixel(x, y)[c]);
-    return values;
-}
-
 /// {"file", "error"}: the picture's own floats round, too.
 Json picture_json(PackSink& sink, const Image& image, const char* name, int begin, int count,
                   double error) {
     const std::string file = std::string(name) + ".pfm";
-    sink.files.push_back({file, pfm_bytes(channels(image, begin, count), image.width, count)});
+    sink.files.push_back({file, pfm_bytes(image, begin, count)});
     return {{"file", file}, {"error", error}, {"relative_error", 0x1p-24}};
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "model/image.h"
 
 namespace lancer::judge {
 
-/// Portable float map: "PF" (three channels) or "Pf" (one), width and height, "-1.0" for
-/// little-endian; then 32-bit floats, the bottom row first. `values` are rows from the top.
-std::string pfm_bytes(const std::vector<double>& values, int width, int channels);
+/// `count` channels (1 or 3) of an image, from `first` on, as a portable float map: "PF" (three) or
+/// "Pf" (one), width and height, "-1.0" for little-endian; then 32-bit floats, the bottom row
+/// first.
+std::string pfm_bytes(const Image& image, int first, int count);
 
 }  // namespace lancer::judge

@@ -111,23 +111,14 @@ struct PatternWriter {
     Json operator()(const VertexColors&) const { return {{"kind", "vertex"}}; }
 };
 
-/// Channels `begin`..`begin + count` of an image.
-std::vector<double> channels(const Image& image, int begin, int count) {
-    std::vector<double> values;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = begin; c < begin + count; ++c) values.push_back(image.pixel(x, y)[c]);
-    return values;
-}
-
 Json image_json(const SceneImage& image, std::size_t index, PackSink& sink) {
     const Image& pixels = *image.pixels;
     const std::string name = fmt::format("image-{}.pfm", index);
-    sink.files.push_back({name, pfm_bytes(channels(pixels, 0, 3), pixels.width, 3)});
+    sink.files.push_back({name, pfm_bytes(pixels, 0, 3)});
     Json json{{"file", name}, {"alpha", nullptr}};
     if (pixels.channels >= 4) {
         const std::string alpha = fmt::format("image-{}-alpha.pfm", index);
-        sink.files.push_back({alpha, pfm_bytes(channels(pixels, 3, 1), pixels.width, 1)});
+        sink.files.push_back({alpha, pfm_bytes(pixels, 3, 1)});
         json["alpha"] = alpha;
     }
     return json;

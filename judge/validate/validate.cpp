@@ -125,15 +125,7 @@ bool can_be_resolved(const std::vector<reference::Coincidence>& coincidences) {
 
 void judge_result(Validation& result, const OurPicture& ours, const PovRayRules& rules,
                   PovRayAgain& again) {
-    reference::CompareOptions options;
-    options.fail = result.thresholds.interior;
-    options.fail_percent = 100;  // the judgement decides, not this
-    result.comparison = reference::compare_images(result.ours, result.theirs, options);
-    if (!result.comparison.comparable) {
-        result.verdict = Verdict::differs;
-        result.reasons.push_back(result.comparison.reason);
-        return;
-    }
+    if (!compare_pictures(result)) return;
     SecondLook second;
     // Named or not: next to where any two bodies meet, faces are nearer than POV-Ray's constants.
     if (ours.by_rules) {
@@ -191,8 +183,18 @@ void prepare_for_validation(Scene& scene) {
     scene.settings.min_contribution = 0;
 }
 
-Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
-                          const reference::PovRay& povray, const reference::PovOptions& options) {
+bool compare_pictures(Validation& result) {
+    reference::CompareOptions options;
+    options.fail = result.thresholds.interior;
+    options.fail_percent = 100;
+    result.comparison = reference::compare_images(result.ours, result.theirs, options);
+    if (result.comparison.comparable) return true;
+    result.verdict = Verdict::differs;
+    result.reasons.push_back(result.comparison.reason);
+    return false;
+}
+
+Validation validation_of(const ValidationJob& job, const std::function<void(Validation&)>& judge) {
     Validation result;
     result.name = job.name;
     result.path = job.path;
@@ -200,9 +202,8 @@ Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
     result.view = job.view;
     result.thresholds = job.expect.thresholds;
     result.expectations = job.expect.reasons;
-    result.pov_version = povray.version;
     try {
-        validate(result, job, renderer, povray, options);
+        judge(result);
     } catch (const FileError& error) {
         result.verdict = Verdict::failed;
         result.reasons.emplace_back(error.what());
@@ -211,6 +212,14 @@ Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
         result.reasons.emplace_back(error.what());
     }
     return result;
+}
+
+Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
+                          const reference::PovRay& povray, const reference::PovOptions& options) {
+    return validation_of(job, [&](Validation& result) {
+        result.pov_version = povray.version;
+        validate(result, job, renderer, povray, options);
+    });
 }
 
 }  // namespace lancer::judge

@@ -84,6 +84,14 @@ struct Validation {
     std::string pov_version;
 };
 
+/// A validation that `judge` completes: names, view and thresholds are those of the job. Errors of
+/// files and scenes are a verdict.
+Validation validation_of(const ValidationJob& job, const std::function<void(Validation&)>& judge);
+
+/// Compares the two pictures of `result`; the judgement decides on pixels, not this. False, with
+/// the verdict and its reason, when they cannot be compared.
+bool compare_pictures(Validation& result);
+
 /// Renders ours, exports, runs POV-Ray, compares and judges. What goes wrong with POV-Ray, the
 /// exporter or our renderer is a verdict; throws nothing but what memory throws.
 Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,

@@ -12,13 +12,6 @@
 namespace lancer::accuracy {
 namespace {
 
-View view_of_128() {
-    View view;
-    view.width = 128;
-    view.height = 96;
-    return view;
-}
-
 ErrorPicture rendered(const PlainRenderer& renderer, double share, double steps, std::uint64_t seed,
                       FixedLimits fixed = {}) {
     OffGoal goal;

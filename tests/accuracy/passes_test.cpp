@@ -10,13 +10,6 @@
 namespace lancer::accuracy {
 namespace {
 
-View view_of_128() {
-    View view;
-    view.width = 128;
-    view.height = 96;
-    return view;
-}
-
 struct PassRun {
     ErrorPicture picture;
     std::map<int, Image> after;           ///< pictures on the way

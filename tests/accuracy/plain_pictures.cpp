@@ -69,6 +69,13 @@ Color hall(double x, double y, const TraceLimits& limits) {
 
 }  // namespace
 
+View view_of_128() {
+    View view;
+    view.width = 128;
+    view.height = 96;
+    return view;
+}
+
 Image PlainRenderer::render(const View& view, const Progress&, RayCounts& counts) const {
     Image image(view.width, view.height);
     std::vector<Color> color(1);

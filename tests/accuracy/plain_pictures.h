@@ -27,7 +27,10 @@ class PlainRenderer final : public Renderer {
     Formula formula_;
 };
 
-/// Hard cases and easy ones for a picture of 128 x 96 pixels.
+/// 128 x 96 pixels.
+View view_of_128();
+
+/// Hard cases and easy ones for that view.
 struct PlainPicture {
     std::string name;
     Formula formula;

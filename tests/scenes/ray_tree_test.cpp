@@ -1,15 +1,11 @@
 // Ray trees of every scene of scenes/: they tell of the picture itself, and leave nothing out.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
-#include "cli/scene_loader.h"
+#include "tests/scenes/every_scene.h"
 #include "tracer/ray_tree_renderer.h"
 
 namespace lancer {
 namespace {
-
-namespace fs = std::filesystem;
 
 Color behind(const Scene& scene, const Vec3d& direction) {
     if (!scene.sky) return scene.background;
@@ -85,17 +81,7 @@ void expect_trees_of_the_picture(const Scene& scene, const std::string& path) {
 }
 
 TEST(RayTree, HasTheBytesOfThePicture) {
-    int scenes = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(LANCER_SOURCE_DIR "/scenes")) {
-        const std::string path = entry.path().string();
-        if (entry.path().extension() != ".lancer" || path.find("/bad/") != std::string::npos)
-            continue;
-        cli::Session session;
-        Scene scene = cli::SceneLoader(path, {}, session).load();
-        scene.settings.samples = 1;
-        expect_trees_of_the_picture(scene, path);
-        ++scenes;
-    }
+    const int scenes = for_each_scene(expect_trees_of_the_picture);
     EXPECT_GT(scenes, 50);
 }
 
