@@ -1,5 +1,7 @@
 #include "judge/pack/pack.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "judge/pack/exact_picture.h"
@@ -32,6 +34,11 @@ Pack pack_scene(const ValidationJob& job, std::size_t probes) {
     json["width"] = job.view.width;
     json["height"] = job.view.height;
     json.update(scene_json(*job.scene, job.view.camera, sink));
+    const Settings& settings = job.scene->settings;
+    if (!settings.smooth || !settings.textures)
+        sink.refuse({}, fmt::format("'{}' is rendered without its textures or its smooth normals "
+                                    "(render {{ … }}), which a pack cannot say",
+                                    job.path));
     Pack pack;
     if (!sink.refusals.empty()) {
         pack.refusals = std::move(sink.refusals);

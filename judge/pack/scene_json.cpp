@@ -164,10 +164,6 @@ Json scene_json(const Scene& scene, std::size_t camera, PackSink& sink) {
         json["materials"].push_back(material_json(material));
     for (const Object& object : scene.objects)
         json["objects"].push_back(object_json(scene, object, sink));
-    if (!scene.settings.smooth || !scene.settings.textures)
-        sink.refuse({},
-                    "the scene is rendered without its textures or its smooth normals "
-                    "(render { … }), which a pack cannot say");
     return json;
 }
 
