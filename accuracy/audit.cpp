@@ -38,28 +38,15 @@ struct Net {
     std::uint32_t points;
 };
 
-struct Sums {
-    double count = 0;
-    double sum = 0;
-    double squares = 0;
-
-    explicit Sums(std::span<const double> terms) { add(terms); }
-    void add(std::span<const double> terms) {
-        count += static_cast<double>(terms.size());
-        for (const double t : terms) {
-            sum += t;
-            squares += t * t;
-        }
-    }
-    double mean() const { return sum / count; }
-    double variance() const {
-        return std::max(0.0, squares / count - mean() * mean()) * count / (count - 1);
-    }
-    bool are_zero() const {
-        constexpr double rounding = 1e-26;  // of sums of colours, squared, with room
-        return squares <= rounding * rounding * count;
-    }
-};
+/// Of the mean of a stratum's terms.
+double variance_of_mean(const Stratum& s) {
+    TermSums both = s.terms;
+    both.add(s.earlier);
+    const double mean = s.terms.mean();
+    if (mean <= 0 || both.mean() <= 0) return s.terms.variance() / s.terms.count;
+    const double relative = both.variance() / (both.mean() * both.mean());
+    return mean * mean * relative / s.terms.count;
+}
 
 void add_interval(ErrorEstimate& e) {
     if (e.mean_square <= 0) return;
@@ -75,7 +62,7 @@ Audit audit(const Truth& truth, const Samples& samples, std::span<const double> 
             const AuditPlan& plan, const Progress& progress) {
     const DrawGuesses guessed(predicted, samples.width(), samples.height());
     const std::vector<double> chance = guessed.mixed(plan.shares);
-    const double start = SobolPoints(pixel_key(samples.seed(), -1, -1, plan.number + 1))[0].x;
+    const double start = SobolPoints(samples.key(plan.number + 1))[0].x;
     Audit result;
     result.pixels = systematic(chance, plan.draws, start);
     std::vector<Color> nets(result.pixels.size() * 2, Color{0, 0, 0});
@@ -118,28 +105,56 @@ Audit audit(const Truth& truth, const Samples& samples, std::span<const double> 
     return result;
 }
 
-ErrorEstimate estimate(std::span<const double> terms) {
+void TermSums::add(std::span<const double> terms) {
+    count += static_cast<double>(terms.size());
+    for (const double t : terms) {
+        sum += t;
+        squares += t * t;
+    }
+}
+
+void TermSums::add(const TermSums& others) {
+    count += others.count;
+    sum += others.sum;
+    squares += others.squares;
+}
+
+double TermSums::variance() const {
+    return std::max(0.0, squares / count - mean() * mean()) * count / (count - 1);
+}
+
+bool TermSums::are_zero() const {
+    constexpr double rounding = 1e-26;  // of sums of colours, squared, with room
+    return squares <= rounding * rounding * count;
+}
+
+ErrorEstimate estimate_of_strata(std::span<const Stratum> strata) {
     ErrorEstimate e;
-    const Sums all(terms);
-    e.all_zero = all.are_zero();
-    if (e.all_zero || terms.size() < 2) return e;
-    e.mean_square = all.mean();
-    e.standard_error = std::sqrt(all.variance() / all.count);
-    e.effective_draws = all.sum * all.sum / all.squares;
+    double variance = 0;
+    double squares = 0;
+    e.all_zero = std::all_of(strata.begin(), strata.end(),
+                             [](const Stratum& s) { return s.terms.are_zero(); });
+    const bool is_enough = std::all_of(strata.begin(), strata.end(),
+                                       [](const Stratum& s) { return s.terms.count >= 2; });
+    if (e.all_zero || !is_enough) return e;
+    for (const Stratum& s : strata) {
+        e.mean_square += s.weight * s.terms.mean();
+        variance += s.weight * s.weight * variance_of_mean(s);
+        squares += s.weight * s.weight * s.terms.squares / (s.terms.count * s.terms.count);
+    }
+    e.standard_error = std::sqrt(variance);
+    e.effective_draws = e.mean_square * e.mean_square / squares;
     add_interval(e);
     return e;
 }
 
+ErrorEstimate estimate(std::span<const double> terms) {
+    return estimate(terms, {});
+}
+
 ErrorEstimate estimate(std::span<const double> terms, std::span<const double> earlier) {
-    ErrorEstimate e = estimate(terms);
-    Sums both(terms);
-    both.add(earlier);
-    if (e.all_zero || e.mean_square <= 0 || both.mean() <= 0) return e;
-    const double relative_variance = both.variance() / (both.mean() * both.mean());
-    e.standard_error =
-        e.mean_square * std::sqrt(relative_variance / static_cast<double>(terms.size()));
-    add_interval(e);
-    return e;
+    const Stratum all{1, TermSums(terms), TermSums(earlier)};
+    return estimate_of_strata({&all, 1});
 }
 
 std::vector<PixelShare> dominant_pixels(const Audit& audit, const Samples& samples,

@@ -52,6 +52,12 @@ struct Audit {
 Audit audit(const Truth& truth, const Samples& samples, std::span<const double> predicted,
             const AuditPlan& plan, const Progress& progress);
 
+/// An error is told when this many equal draws would tell as much as those of an audit ...
+inline constexpr double least_effective_draws = 60;
+/// ... and when they tell the logarithm of a mean square this well: half the interval's width is
+/// then 12 %.
+inline constexpr double told_log_error = 0.125;
+
 /// A root mean squared error with its interval of 95 %.
 struct ErrorEstimate {
     double mean_square = 0;     ///< may be negative by chance
@@ -68,6 +74,28 @@ struct ErrorEstimate {
     double log_error() const { return mean_square > 0 ? standard_error / mean_square : 0; }
 };
 
+/// Terms of an audit, summed: all that an estimate takes from them.
+struct TermSums {
+    double count = 0;
+    double sum = 0;
+    double squares = 0;
+
+    TermSums() = default;
+    explicit TermSums(std::span<const double> terms) { add(terms); }
+    void add(std::span<const double> terms);
+    void add(const TermSums& others);
+    double mean() const { return sum / count; }
+    double variance() const;
+    bool are_zero() const;  ///< but for rounding
+};
+
+/// An audit of some of the picture's pixels, with the earlier one of them.
+struct Stratum {
+    double weight = 1;  ///< its share of the pixels
+    TermSums terms;
+    TermSums earlier;  ///< may be empty
+};
+
 /// The interval is exp(+-1.96 S/T) around the mean square T with standard error S.
 ErrorEstimate estimate(std::span<const double> terms);
 
@@ -75,6 +103,11 @@ ErrorEstimate estimate(std::span<const double> terms);
 /// ones of the same distribution say together. Where few draws carry the sum, low sums come with
 /// little spread; those of others do not know that these are low.
 ErrorEstimate estimate(std::span<const double> terms, std::span<const double> earlier);
+
+/// The same for audits that were drawn apart, each from pixels of its own: the mean over all pixels
+/// is that of the strata's, weighted by their numbers of pixels, and as their draws are
+/// independent, so is the variance, by the weights' squares. Cochran, ch. 5.
+ErrorEstimate estimate_of_strata(std::span<const Stratum> strata);
 
 /// The pixels that `audit` owes most of its result to, largest first, with their shares of the sum
 /// of squared terms.

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "model/elementary.h"
+#include "accuracy/joined_report.h"
 
 namespace lancer::accuracy {
 
 bool ErrorReport::is_flat() const {
-    constexpr double nearly_none = 0.1;  // far below where refining stops, far above rounding
     return audited && error.all_zero && !rare_light && predicted <= nearly_none * asked;
 }
 
@@ -19,24 +18,28 @@ bool ErrorReport::is_reached() const {
     return !rare_light && (is_flat() || (is_told && error.high <= asked));
 }
 
-ErrorPicture finished(const Samples& samples, const Prediction& prediction, ErrorReport report) {
+ErrorPicture finished(const Samples& samples, const Prediction& prediction, ErrorReport report,
+                      ErrorSums sums) {
     ErrorPicture picture;
     picture.image = samples.image();
-    const double mean_square = prediction.mean_square(samples);
-    double scores = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const std::uint32_t n = samples.pixels()[i].count;
         picture.counts.push_back(n);
         picture.errors.push_back(std::sqrt(prediction.of(i, n) / 3));
-        scores += prediction.of(i, 1);
+        sums.predicted += prediction.of(i, n);
+        sums.scores += prediction.of(i, 1);
     }
-    const double pixels = static_cast<double>(samples.size());
-    report.predicted = std::sqrt(mean_square);
-    report.picture = samples.rays();
-    report.rays_per_pixel = static_cast<double>(report.picture.primary) / pixels;
-    if (mean_square > 0)
-        report.even_rays_per_pixel = elementary::pow(scores / (3 * pixels * mean_square), 2.0 / 3);
+    sums.pixels = static_cast<double>(samples.size());
+    sums.asked = report.asked;
+    sums.audited = report.audited;
+    sums.rare_light = report.rare_light;
+    sums.dominant = report.dominant;
+    sums.picture = samples.rays();
+    sums.deciding_rays = report.deciding;
+    sums.printed_rays = report.printed;
+    tell_costs(report, {&sums, 1});
     picture.report = std::move(report);
+    picture.sums = std::move(sums);
     return picture;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accuracy/audit.h"
+#include "accuracy/error_sums.h"
 #include "accuracy/off_audit.h"
 #include "accuracy/prediction.h"
 
@@ -18,6 +19,9 @@ struct OffReport {
     OffEstimate estimate;  ///< of the audit that is printed
     double predicted = 0;  ///< share, from the picture's own samples
 };
+
+/// Of what was asked for: far below where refining stops, and far above rounding.
+inline constexpr double nearly_none = 0.1;
 
 struct ErrorReport {
     double asked = 0;  ///< 0: no error, but a time, a number of passes or a share of pixels off
@@ -49,11 +53,15 @@ struct ErrorReport {
 struct ErrorPicture {
     Image image;
     ErrorReport report;
+    ErrorSums sums;                     ///< what the report rests on
     std::vector<double> errors;         ///< standard error per pixel, RMS over channels: a guess
     std::vector<std::uint32_t> counts;  ///< samples per pixel
 };
 
 /// The picture that the samples make; fills in what the report says of them.
-ErrorPicture finished(const Samples& samples, const Prediction& prediction, ErrorReport report);
+///
+/// \param sums  has the draws, where there are any
+ErrorPicture finished(const Samples& samples, const Prediction& prediction, ErrorReport report,
+                      ErrorSums sums = {});
 
 }  // namespace lancer::accuracy

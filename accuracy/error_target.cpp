@@ -24,10 +24,6 @@ constexpr double no_better = 0.8;  // of a mean square, after a round that shoul
 // below the goal that the one that is printed will say so too; the aim is a little further off.
 constexpr double deciding_margin = 3;
 constexpr double aimed_margin = 4.3;
-// An error is told when audits that decide say that a half-width of 11 % can be had, by as many
-// draws as carry it.
-constexpr double told_log_error = 0.125;
-constexpr double least_effective = 60;
 
 /// Draws of the largest audit. In a small picture, more would cost more than more samples.
 int most_draws(const Samples& samples) {
@@ -46,7 +42,7 @@ class Search {
             cheapest_limits(truth, view, goal.fixed, (1 - sampling_share) * square(goal.max_error),
                             goal.seed, report_.deciding);
         check_settings(renderer);
-        samples_.emplace(renderer_, view_, report_.limits, goal.seed);
+        take_samples();
         most_rays_ = static_cast<std::uint64_t>(goal.most_rays_per_pixel *
                                                 static_cast<double>(samples_->size()));
     }
@@ -59,7 +55,7 @@ class Search {
         } else {
             refine_to(sampling_share * square(goal_.max_error) - bias_);
         }
-        return finished(*samples_, prediction_, std::move(report_));
+        return finished(*samples_, prediction_, std::move(report_), std::move(sums_));
     }
 
   private:
@@ -70,6 +66,11 @@ class Search {
             progress_(std::min(
                 0.99, static_cast<double>(samples_->rays().primary) / std::max(1.0, expected_)));
         };
+    }
+
+    void take_samples() {
+        samples_.emplace(renderer_, view_, report_.limits, goal_.seed,
+                         goal_.rows.value_or(PictureRows{}));
     }
 
     /// What the user has fixed may cost more than all that is asked for.
@@ -98,9 +99,9 @@ class Search {
             std::sqrt((mean_square_for(*samples_, prediction_, goal_.most_rays_per_pixel) + bias_) /
                       sampling_share);
         throw Unreachable(fmt::format(
-            "an error of {} needs more than {} rays a pixel in this scene; about {:.2g} "
+            "an error of {} needs more than {} rays a pixel in this {}; about {:.2g} "
             "can be reached",
-            goal_.max_error, goal_.most_rays_per_pixel, reachable));
+            goal_.max_error, goal_.most_rays_per_pixel, goal_.rows ? "part" : "scene", reachable));
     }
 
     bool refine_to(double mean_square) {
@@ -123,7 +124,8 @@ class Search {
         for (;;) {
             judge_ = audited(draws_, report_.deciding);
             const ErrorEstimate e = estimate(judge_.terms);
-            if (e.all_zero || e.effective_draws >= least_effective || draws_ >= most) return e;
+            if (e.all_zero || e.effective_draws >= least_effective_draws || draws_ >= most)
+                return e;
             draws_ = std::min(most, 2 * draws_);
             shares_ = best_shares(judge_.seen);
         }
@@ -205,7 +207,7 @@ class Search {
         const double needed = draws_ * std::max(1.0, square(e.log_error() / told_log_error));
         report_.effective_draws = e.effective_draws;
         report_.dominant = dominant_pixels(judge_, *samples_, 3);
-        report_.is_told = e.effective_draws >= least_effective &&
+        report_.is_told = e.effective_draws >= least_effective_draws &&
                           needed <= std::max(draws_, most_draws(*samples_));
         if (report_.is_told) draws_ = static_cast<int>(needed);
     }
@@ -222,7 +224,7 @@ class Search {
             return false;
         report_.limits = whole;
         report_.deciding += samples_->rays();
-        samples_.emplace(renderer_, view_, whole, goal_.seed);
+        take_samples();
         prediction_.kappa = std::min(Prediction().kappa, prediction_.kappa);
         begin();
         return true;
@@ -230,10 +232,11 @@ class Search {
 
     /// Single rays met light that others must have missed: no audit can tell how much.
     bool misses_rare_light() {
-        const RareLight::Missed missed = rare_->missed(*samples_);
-        if (!missed.forbids(goal_.max_error)) return false;
+        sums_.specks = rare_->missed(*samples_);
+        const Crop whole = view_.crop.value_or(Crop{0, 0, view_.width, view_.height});
+        if (!sums_.specks.forbid(goal_.max_error, double(whole.width) * whole.height)) return false;
         report_.rare_light = true;
-        report_.dominant = missed.pixels;
+        report_.dominant = sums_.specks.pixels;
         return true;
     }
 
@@ -243,13 +246,17 @@ class Search {
         return e.mean_square * elementary::exp(margin * e.log_error()) <= square(goal_.max_error);
     }
 
-    /// Where nothing can be told, nothing is printed, and no rays are spent on it.
+    /// Where nothing can be told, nothing is printed, and no rays are spent on it. A part's draws
+    /// may tell together with those of others.
     void print() {
         report_.audited = true;
         const bool found_none = !report_.rare_light && estimate(judge_.terms).all_zero;
-        if (!report_.is_told && !found_none) return;
+        const bool is_part_of_told = goal_.rows && !report_.rare_light;
+        if (!report_.is_told && !found_none && !is_part_of_told) return;
         const Audit last = audited(draws_, report_.printed);
         report_.error = estimate(last.terms, judge_.terms);
+        sums_.deciding = TermSums(judge_.terms);
+        sums_.printed = TermSums(last.terms);
         if (!found_none) return;
         report_.effective_draws = report_.error.effective_draws;
         report_.dominant = dominant_pixels(last, *samples_, 3);
@@ -261,6 +268,7 @@ class Search {
     const ErrorGoal& goal_;
     const Progress& progress_;
     ErrorReport report_;
+    ErrorSums sums_;
     std::optional<Samples> samples_;
     Prediction prediction_;
     std::optional<RareLight> rare_;

@@ -19,6 +19,9 @@ struct ErrorGoal {
     /// The renderer leaves out more than limits do: shadows, normals, digits ...
     bool leaves_out = false;
     double most_rays_per_pixel = 1024;  ///< on average
+    /// These rows alone, as one part of the picture: they are held to the goal by themselves, with
+    /// draws whatever these tell, for the report on the whole (joined_report.h).
+    std::optional<PictureRows> rows;
 };
 
 /// Refused before the picture is made; the message says what can be reached.

@@ -130,7 +130,6 @@ ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Tr
 double share_cut(const Truth& truth, const Samples& samples, const TraceLimits& limits,
                  std::span<const PixelShare> pixels, RayCounts& rays) {
     constexpr std::uint32_t per_pixel = 16;
-    const Crop part = part_of(samples.view());
     std::vector<PicturePoint> points;
     for (const PixelShare& p : pixels) {
         const SobolPoints sequence(pixel_key(samples.seed(), p.x, p.y, cut_stream));
@@ -151,10 +150,7 @@ double share_cut(const Truth& truth, const Samples& samples, const TraceLimits& 
             difference += (ours[next] - right[next]) / static_cast<double>(per_pixel);
             mean += right[next] / static_cast<double>(per_pixel);
         }
-        const std::size_t pixel =
-            static_cast<std::size_t>(p.y - part.y) * static_cast<std::size_t>(part.width) +
-            static_cast<std::size_t>(p.x - part.x);
-        const Color wrong = samples.pixels()[pixel].mean() - mean;
+        const Color wrong = samples.pixels()[samples.pixel_at(p.x, p.y)].mean() - mean;
         cut += dot(difference, difference);
         error += dot(wrong, wrong);
     }

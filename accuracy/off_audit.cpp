@@ -80,8 +80,7 @@ void raise(const Truth& truth, const Samples& samples, std::uint64_t audit, std:
 std::vector<Draw> drawn(const Samples& samples, const OffPlan& plan) {
     std::vector<Draw> draws;
     for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(plan.draws); ++k) {
-        const std::uint64_t bits =
-            pixel_key(samples.seed(), -1, -1, stream | (plan.number + 1) << 40 | k);
+        const std::uint64_t bits = samples.key(stream | (plan.number + 1) << 40 | k);
         const double share = static_cast<double>(bits >> 11) * 0x1p-53;
         const auto pixel = static_cast<std::size_t>(share * static_cast<double>(samples.size()));
         draws.push_back({pixel, k});

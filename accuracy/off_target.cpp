@@ -31,7 +31,8 @@ class Search {
         // where the mean square over channels is this.
         const double cut = goal.share / 10 * goal.threshold() * goal.threshold() / 12;
         report_.limits = cheapest_limits(truth, view, goal.fixed, cut, goal.seed, report_.deciding);
-        samples_.emplace(renderer_, view_, report_.limits, goal.seed);
+        take_samples();
+        share_draws();
         check_settings();
         most_rays_ = goal.most_rays_per_pixel * static_cast<double>(samples_->size());
     }
@@ -45,7 +46,14 @@ class Search {
             refine_to(goal_.share / 2);
         }
         report_.off->predicted = predicted_off(*samples_, prediction_, goal_.threshold());
-        return finished(*samples_, prediction_, std::move(report_));
+        OffSums off;
+        off.asked = goal_.share;
+        off.steps = goal_.steps;
+        off.predicted = report_.off->predicted * static_cast<double>(samples_->size());
+        off.printed = printed_;
+        ErrorSums sums;
+        sums.off = off;
+        return finished(*samples_, prediction_, std::move(report_), std::move(sums));
     }
 
   private:
@@ -55,6 +63,19 @@ class Search {
             const double made = static_cast<double>(samples_->rays().primary);
             progress_(std::min(0.99, made / std::max(1.0, expected_)));
         };
+    }
+
+    void take_samples() {
+        samples_.emplace(renderer_, view_, report_.limits, goal_.seed,
+                         goal_.rows.value_or(PictureRows{}));
+    }
+
+    /// Parts of different sizes draw as many for each pixel.
+    void share_draws() {
+        if (!goal_.rows) return;
+        const double rows = view_.crop ? view_.crop->height : view_.height;
+        draws_ =
+            static_cast<int>(std::ceil(draws_ * goal_.rows->parts * (samples_->height() / rows)));
     }
 
     /// What the user has fixed may put more pixels off than all that are allowed.
@@ -80,8 +101,9 @@ class Search {
         if (wanted.share <= goal_.share / 2) return;
         throw Unreachable(fmt::format(
             "at most {:g} % off by more than {:g} steps needs more than {} rays a pixel in this "
-            "scene; about {:.2g} % can be reached",
-            100 * goal_.share, goal_.steps, goal_.most_rays_per_pixel, 200 * wanted.share));
+            "{}; about {:.2g} % can be reached",
+            100 * goal_.share, goal_.steps, goal_.most_rays_per_pixel,
+            goal_.rows ? "part" : "scene", 200 * wanted.share));
     }
 
     bool refine_to(double share) {
@@ -145,14 +167,15 @@ class Search {
             return false;
         report_.limits = whole;
         report_.deciding += samples_->rays();
-        samples_.emplace(renderer_, view_, whole, goal_.seed);
+        take_samples();
         begin();
         return true;
     }
 
     void print() {
         report_.audited = true;
-        report_.off->estimate = estimate(counted(report_.printed));
+        printed_ = counted(report_.printed);
+        report_.off->estimate = estimate(printed_);
     }
 
     const Renderer& renderer_;
@@ -167,6 +190,7 @@ class Search {
     double expected_ = 0;  ///< samples of the whole picture, for progress
     std::uint64_t audits_ = 0;
     int draws_ = 0;
+    OffCount printed_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ struct OffGoal {
     FixedLimits fixed;
     bool leaves_out = false;            ///< as in ErrorGoal
     double most_rays_per_pixel = 1024;  ///< on average
+    std::optional<PictureRows> rows;    ///< as in ErrorGoal
 
     double threshold() const { return steps / 255; }
 };

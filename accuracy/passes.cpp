@@ -36,8 +36,8 @@ void tell(const Truth& truth, const Samples& samples, const Prediction& predicti
     const ErrorEstimate judged = estimate(judge.terms);
     report.effective_draws = judged.effective_draws * printed_draws / deciding_draws;
     report.dominant = dominant_pixels(judge, samples, 3);
-    const RareLight::Missed missed = rare.missed(samples);
-    if (missed.forbids(std::max(judged.rmse, shown))) {
+    const Specks missed = rare.missed(samples);
+    if (missed.forbid(std::max(judged.rmse, shown), static_cast<double>(samples.size()))) {
         report.rare_light = true;
         report.dominant = missed.pixels;
         return;

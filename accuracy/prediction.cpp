@@ -21,7 +21,8 @@ double variance_around(const Samples& samples, int x, int y) {
         for (int dx = -1; dx <= 1; ++dx) {
             const int column = x + dx;
             const int row = y + dy;
-            if (column < 0 || row < 0 || column >= samples.width() || row >= samples.height())
+            if (column < 0 || row < 0 || column >= samples.width() || row >= samples.height() ||
+                !samples.are_near(y, row))
                 continue;
             const PixelSums& sums = samples.pixels()[static_cast<std::size_t>(row) *
                                                          static_cast<std::size_t>(samples.width()) +

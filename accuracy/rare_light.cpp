@@ -26,7 +26,7 @@ Surroundings surroundings(const Samples& samples, std::size_t pixel) {
     for (int row = std::max(0, y - 1); row <= std::min(samples.height() - 1, y + 1); ++row) {
         for (int column = std::max(0, x - 1); column <= std::min(samples.width() - 1, x + 1);
              ++column) {
-            if (column == x && row == y) continue;
+            if ((column == x && row == y) || !samples.are_near(y, row)) continue;
             const PixelSums& near = samples.pixels()[static_cast<std::size_t>(row) * width +
                                                      static_cast<std::size_t>(column)];
             sum += near.mean();
@@ -58,10 +58,8 @@ RareLight::RareLight(const Samples& first) {
     if (first.size() > 0) count_ = first.pixels().front().count;
 }
 
-RareLight::Missed RareLight::missed(const Samples& later) const {
-    Missed missed;
-    double sum = 0;
-    double squares = 0;
+Specks RareLight::missed(const Samples& later) const {
+    Specks missed;
     for (const std::size_t pixel : pixels_) {
         const PixelSums& own = later.pixels()[pixel];
         const Surroundings around = surroundings(later, pixel);
@@ -74,22 +72,20 @@ RareLight::Missed RareLight::missed(const Samples& later) const {
         const double unseen = elementary::pow(1 - share, count_);
         if (unseen >= 1) continue;
         const double error = added * unseen / (1 - unseen);
-        sum += error;
-        squares += error * error;
+        missed.error += error;
+        missed.squares += error * error;
         missed.pixels.push_back({later.column(pixel), later.row(pixel), error});
     }
-    if (squares == 0) return missed;
-    missed.mean_square = sum / (3 * static_cast<double>(later.size()));
-    missed.effective_specks = sum * sum / squares;
     std::stable_sort(missed.pixels.begin(), missed.pixels.end(),
                      [](const PixelShare& a, const PixelShare& b) { return a.share > b.share; });
     missed.pixels.resize(std::min<std::size_t>(missed.pixels.size(), 3));
-    for (PixelShare& p : missed.pixels) p.share /= sum;
+    for (PixelShare& p : missed.pixels) p.share /= missed.error;
     return missed;
 }
 
-bool RareLight::Missed::forbids(double error) const {
-    return mean_square > noticed_share * error * error && effective_specks < fewest;
+bool Specks::forbid(double rmse, double pixels_of_picture) const {
+    return error > noticed_share * rmse * rmse * 3 * pixels_of_picture &&
+           error * error < fewest * squares;  // fewer equal ones would weigh as much
 }
 
 }  // namespace lancer::accuracy

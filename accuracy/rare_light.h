@@ -8,25 +8,26 @@
 
 namespace lancer::accuracy {
 
+/// What specks in pixels that missed theirs add to a picture's error.
+struct Specks {
+    double error = 0;                ///< squared, summed over pixels and channels
+    double squares = 0;              ///< of what each one adds
+    std::vector<PixelShare> pixels;  ///< the largest, with their shares
+
+    /// Too few to judge by, and they matter for such an RMSE over so many pixels.
+    bool forbid(double rmse, double pixels_of_picture) const;
+};
+
 /// Remembers pixels whose first samples are unlike those of all 8 neighbours, which are alike.
 class RareLight {
   public:
     /// Looks at a picture whose pixels all have the same number of samples.
     explicit RareLight(const Samples& first);
 
-    /// What such specks in pixels that missed theirs add to the mean squared error. Later samples
-    /// tell which of those pixels are alone indeed, and how likely first samples were to miss what
-    /// is in them; each stands for as many as that makes likely (Horvitz and Thompson, "A
-    /// generalization of sampling without replacement", JASA 47, 1952).
-    struct Missed {
-        double mean_square = 0;
-        double effective_specks = 0;     ///< as many equal ones would weigh as much
-        std::vector<PixelShare> pixels;  ///< the largest, with their shares
-
-        /// Too few to judge by, and they matter for an RMSE of `error`.
-        bool forbids(double error) const;
-    };
-    Missed missed(const Samples& later) const;
+    /// Later samples tell which of those pixels are alone indeed, and how likely first samples were
+    /// to miss what is in them; each stands for as many as that makes likely (Horvitz and Thompson,
+    /// "A generalization of sampling without replacement", JASA 47, 1952).
+    Specks missed(const Samples& later) const;
 
   private:
     std::vector<std::size_t> pixels_;

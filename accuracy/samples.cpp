@@ -19,20 +19,37 @@ double PixelSums::variance() const {
 }
 
 Samples::Samples(const Renderer& renderer, const View& view, const TraceLimits& limits,
-                 std::uint64_t seed)
+                 std::uint64_t seed, const PictureRows& rows)
     : renderer_(renderer),
       view_(view),
       limits_(limits),
       seed_(seed),
       crop_(view.crop.value_or(Crop{0, 0, view.width, view.height})),
-      pixels_(static_cast<std::size_t>(crop_.width) * static_cast<std::size_t>(crop_.height)) {}
+      part_(rows.part) {
+    const auto add = [&](const RowRange& range) {
+        for (int y = 0; y < range.count; ++y) rows_.push_back(crop_.y + range.first + y);
+    };
+    for (const RowRange& range : rows.ranges) add(range);
+    if (rows.ranges.empty()) add({0, crop_.height});
+    pixels_.resize(static_cast<std::size_t>(crop_.width) * rows_.size());
+}
 
 int Samples::column(std::size_t pixel) const {
     return crop_.x + static_cast<int>(pixel % static_cast<std::size_t>(crop_.width));
 }
 
 int Samples::row(std::size_t pixel) const {
-    return crop_.y + static_cast<int>(pixel / static_cast<std::size_t>(crop_.width));
+    return rows_[pixel / static_cast<std::size_t>(crop_.width)];
+}
+
+std::size_t Samples::pixel_at(int column, int row) const {
+    const auto y = std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin();
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(crop_.width) +
+           static_cast<std::size_t>(column - crop_.x);
+}
+
+std::uint64_t Samples::key(std::uint64_t stream) const {
+    return pixel_key(seed_, -1, -1 - part_, stream);
 }
 
 void Samples::trace(const std::vector<Run>& runs, const std::vector<PicturePoint>& points) {

@@ -21,16 +21,31 @@ struct PixelSums {
     double variance() const;
 };
 
+/// Rows of a picture, from the top of its crop.
+struct RowRange {
+    int first = 0;
+    int count = 0;
+};
+
+/// The rows that one of several machines makes. Guesses about a pixel look at those around it that
+/// are made here too.
+struct PictureRows {
+    int part = 0;                  ///< from 0: the audits of parts draw apart from each other
+    int parts = 1;                 ///< of the whole picture
+    std::vector<RowRange> ranges;  ///< from the top; none: every row
+};
+
 /// A picture whose pixels have as many samples as each needs, at its own Owen-scrambled Sobol
 /// points. What a pixel holds depends on its place, the seed and the number of its samples alone.
 class Samples {
   public:
-    /// All arguments must outlive the object. With a crop the picture is that part.
+    /// The renderer and the view must outlive the object. With a crop the picture is that part;
+    /// with `rows` these of it, laid one below the other.
     Samples(const Renderer& renderer, const View& view, const TraceLimits& limits,
-            std::uint64_t seed);
+            std::uint64_t seed, const PictureRows& rows = {});
 
     int width() const { return crop_.width; }
-    int height() const { return crop_.height; }
+    int height() const { return static_cast<int>(rows_.size()); }
     std::size_t size() const { return pixels_.size(); }
     const std::vector<PixelSums>& pixels() const { return pixels_; }
     const RayCounts& rays() const { return rays_; }
@@ -39,6 +54,15 @@ class Samples {
     /// A pixel's place in the whole picture.
     int column(std::size_t pixel) const;
     int row(std::size_t pixel) const;
+    /// The pixel that stands there, which must be one of these.
+    std::size_t pixel_at(int column, int row) const;
+    /// Whether rows of these samples lie in the picture as far apart as here.
+    bool are_near(int y, int other) const {
+        return rows_[static_cast<std::size_t>(other)] - rows_[static_cast<std::size_t>(y)] ==
+               other - y;
+    }
+    /// A key for choices that belong to no pixel; those of different parts are independent.
+    std::uint64_t key(std::uint64_t stream) const;
 
     /// Raises each pixel's number of samples to wanted[pixel]; those that have as many keep theirs.
     void raise(std::span<const std::uint32_t> wanted, const Progress& progress);
@@ -58,6 +82,8 @@ class Samples {
     TraceLimits limits_;
     std::uint64_t seed_;
     Crop crop_;
+    int part_;
+    std::vector<int> rows_;  ///< in the whole picture
     std::vector<PixelSums> pixels_;
     RayCounts rays_;
 };

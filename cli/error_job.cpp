@@ -55,6 +55,27 @@ void add_channels(Image& image, const Image& plain, const accuracy::ErrorPicture
     image = std::move(whole);
 }
 
+/// One sample a pixel, as for every picture; its rays are not counted. Rows one below the other.
+Image plain_picture(const Renderer& renderer, const View& view,
+                    const std::optional<accuracy::PictureRows>& rows) {
+    RayCounts uncounted;
+    if (!rows) return renderer.render(view, {}, uncounted);
+    const Crop whole = view.crop.value_or(Crop{0, 0, view.width, view.height});
+    Image all;
+    for (const accuracy::RowRange& range : rows->ranges) {
+        View strip = view;
+        strip.crop = Crop{whole.x, whole.y + range.first, whole.width, range.count};
+        Image image = renderer.render(strip, {}, uncounted);
+        if (all.height == 0) {
+            all = std::move(image);
+            continue;
+        }
+        all.height += image.height;
+        all.data.insert(all.data.end(), image.data.begin(), image.data.end());
+    }
+    return all;
+}
+
 std::string places(const std::vector<accuracy::PixelShare>& pixels) {
     std::string text;
     for (const accuracy::PixelShare& p : pixels)
@@ -92,15 +113,14 @@ struct Setting {
 
     const Renderer& renderer() const { return other ? *other : *judge; }
     accuracy::Truth truth(double error) const { return {*judge, accuracy::limits_of_truth(error)}; }
-    ErrorRun run(accuracy::ErrorPicture made, const View& view) const {
+    ErrorRun run(accuracy::ErrorPicture made, const View& view,
+                 const std::optional<accuracy::PictureRows>& rows) const {
         ErrorRun run;
         run.build_seconds = build_seconds;
         run.image = std::move(made.image);
         run.report = made.report;
-        if (view.aov) {
-            RayCounts uncounted;  // as for every picture
-            add_channels(run.image, renderer().render(view, {}, uncounted), made);
-        }
+        run.sums = made.sums;
+        if (view.aov) add_channels(run.image, plain_picture(renderer(), view, rows), made);
         run.world = renderer().counts();
         run.level = renderer().level();
         return run;
@@ -166,6 +186,7 @@ class PassPace {
 
 ErrorRun render_to_error(const Scene& scene, const SettingsOptions& options,
                          const ErrorOptions& errors, Level level, const View& view,
+                         const std::optional<accuracy::PictureRows>& rows,
                          const Progress& progress) {
     const double error = errors.max_error.value();
     const Setting setting(scene, options, error, level);
@@ -175,10 +196,11 @@ ErrorRun render_to_error(const Scene& scene, const SettingsOptions& options,
     goal.audited = !errors.no_audit;
     goal.leaves_out = setting.other != nullptr;
     goal.fixed = setting.fixed;
+    goal.rows = rows;
     try {
         return setting.run(accuracy::render_to_error(setting.renderer(), setting.truth(error), view,
                                                      goal, progress),
-                           view);
+                           view, rows);
     } catch (const accuracy::Unreachable& refused) {
         throw UsageError(std::string("--max-error: ") + refused.what());
     }
@@ -186,6 +208,7 @@ ErrorRun render_to_error(const Scene& scene, const SettingsOptions& options,
 
 ErrorRun render_to_share(const Scene& scene, const SettingsOptions& options,
                          const ErrorOptions& errors, Level level, const View& view,
+                         const std::optional<accuracy::PictureRows>& rows,
                          const Progress& progress) {
     accuracy::OffGoal goal;
     goal.share = errors.max_off.value().share;
@@ -195,10 +218,11 @@ ErrorRun render_to_share(const Scene& scene, const SettingsOptions& options,
     goal.audited = !errors.no_audit;
     goal.leaves_out = setting.other != nullptr;
     goal.fixed = setting.fixed;
+    goal.rows = rows;
     try {
         const accuracy::Truth truth = setting.truth(goal.threshold());
         return setting.run(
-            accuracy::render_to_share(setting.renderer(), truth, view, goal, progress), view);
+            accuracy::render_to_share(setting.renderer(), truth, view, goal, progress), view, rows);
     } catch (const accuracy::Unreachable& refused) {
         throw UsageError(std::string("--max-off: ") + refused.what());
     }
@@ -217,7 +241,7 @@ ErrorRun render_by_passes(const Scene& scene, const SettingsOptions& options,
     return setting.run(
         accuracy::render_by_passes(setting.renderer(), setting.truth(error), view, goal,
                                    [&](const accuracy::PassState& s) { return pace.go_on(s); }),
-        view);
+        view, std::nullopt);
 }
 
 namespace {

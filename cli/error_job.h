@@ -32,6 +32,7 @@ struct ErrorOptions {
 struct ErrorRun {
     Image image;  ///< with `view.aov` also error.Y and samples.Z
     accuracy::ErrorReport report;
+    accuracy::ErrorSums sums;  ///< what the report rests on
     WorldCounts world;
     Level level = Level::scalar;  ///< of rays side by side
     double build_seconds = 0;
@@ -41,13 +42,17 @@ struct ErrorRun {
 /// without limits on its recursion and with true surfaces, in double precision or better; what the
 /// command line switches off is part of the error. Throws UsageError when the error cannot be
 /// reached, SceneError.
+///
+/// \param rows  those of one part; the image then has them alone. None: a whole picture
 ErrorRun render_to_error(const Scene& scene, const SettingsOptions& settings,
                          const ErrorOptions& options, Level level, const View& view,
+                         const std::optional<accuracy::PictureRows>& rows,
                          const Progress& progress);
 
 /// Renders until at most options.max_off.share of the pixels are off; all else as above.
 ErrorRun render_to_share(const Scene& scene, const SettingsOptions& settings,
                          const ErrorOptions& options, Level level, const View& view,
+                         const std::optional<accuracy::PictureRows>& rows,
                          const Progress& progress);
 
 /// A picture that gets better pass by pass.

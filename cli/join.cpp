@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "accuracy/joined_report.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/error_job.h"
 #include "cli/output_names.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
@@ -49,6 +51,24 @@ class Parts {
             number = last;
         }
         return text;
+    }
+
+    /// What the parts together say of the picture's error; nothing where none was asked for.
+    std::optional<accuracy::ErrorReport> report() const {
+        if (head().note.empty()) return std::nullopt;
+        std::vector<accuracy::ErrorSums> sums;
+        for (const auto& part : readers_) {
+            const auto told = accuracy::error_sums_of(part->head().note);
+            const bool fits =
+                told && (sums.empty() || (told->audited == sums[0].audited &&
+                                          told->off.has_value() == sums[0].off.has_value()));
+            if (!fits) {
+                throw FileError(
+                    fmt::format("'{}' is damaged: it does not tell its error", part->path()));
+            }
+            sums.push_back(*told);
+        }
+        return accuracy::joined_report(sums);
     }
 
     /// The next row of the picture.
@@ -126,9 +146,12 @@ ExitCode run(const JoinJob& job, Session& session) {
     like.channels = head.channels();
     like.extra_names = head.extra_names;
     check_picture_name(job.output, job.image, !head.extra_names.empty());
+    const std::optional<accuracy::ErrorReport> report = parts.report();
+    io::ImageWriteOptions written = job.image;
+    if (report) written.notes = error_notes(*report);
     ProgressBar progress(session.terminal, job.quiet, 1);
     int rows = 0;
-    io::write_rows(job.output, like, job.image, [&](double* pixels) {
+    io::write_rows(job.output, like, written, [&](double* pixels) {
         progress.update(static_cast<double>(rows++) / head.height);
         parts.next(pixels);
     });
@@ -136,8 +159,9 @@ ExitCode run(const JoinJob& job, Session& session) {
     if (!job.quiet && !io::is_stream(job.output)) {
         session.output.say(fmt::format("wrote {} ({}x{}) from {} parts in {:.2f} s\n", job.output,
                                        head.width, head.height, head.count, watch.seconds()));
+        if (report) session.output.say(fmt::format("{}\n", error_line(*report)));
     }
-    return ExitCode::done;
+    return report && !report->is_reached() ? ExitCode::differs : ExitCode::done;
 }
 
 }  // namespace

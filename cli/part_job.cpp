@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/session.h"
 #include "model/io/part_file.h"
 
 namespace lancer::cli {
 
-io::PartHead head_of(const PartOf& part, const View& view, const io::Origin& origin) {
+io::PartHead head_of(const PartOf& part, const View& view, const io::Origin& origin,
+                     bool by_error) {
     io::PartHead head;
     head.number = part.number;
     head.count = part.count;
@@ -15,6 +18,8 @@ io::PartHead head_of(const PartOf& part, const View& view, const io::Origin& ori
     head.height = view.crop ? view.crop->height : view.height;
     if (view.aov)
         head.extra_names = {"object.id", "depth.Z", "normal.X", "normal.Y", "normal.Z", "shadow.Y"};
+    if (view.aov && by_error)
+        head.extra_names.insert(head.extra_names.end(), {"error.Y", "samples.Z"});
     head.origin = origin;
     if (part.count > head.height) {
         throw UsageError(
@@ -37,6 +42,23 @@ void draw_part(const Renderer& renderer, const View& view, const io::PartHead& h
         };
         Image image = renderer.render(part, share, rays);
         ++done;
+        return image;
+    });
+}
+
+accuracy::PictureRows rows_of(const io::PartHead& head) {
+    accuracy::PictureRows rows{head.number - 1, head.count, {}};
+    for (const io::Strip& strip : io::strips_of(head))
+        rows.ranges.push_back({strip.first, strip.rows});
+    return rows;
+}
+
+void write_drawn(const Image& rows, const io::PartHead& head, const std::string& output) {
+    int first = 0;
+    io::write_part(output, head, [&](const io::Strip& strip) {
+        Image image(rows.width, strip.rows, rows.channels);
+        std::copy_n(rows.pixel(0, first), image.data.size(), image.data.begin());
+        first += strip.rows;
         return image;
     });
 }

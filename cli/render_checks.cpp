@@ -46,10 +46,8 @@ void check_part_options(const RenderJob& job, const std::string& output) {
     if (job.error.seconds)
         throw UsageError("--part goes with no --time: each part would get passes of its own");
     if (job.frames) return;
-    if (job.error.any())
-        throw UsageError(
-            "--part of one picture goes with --samples, not with --max-error, --max-off or "
-            "--passes");
+    if (job.error.passes)
+        throw UsageError("--part goes with no --passes: each looks at the whole picture");
     if (job.image.bits != 8 || job.image.linear)
         throw UsageError("a part holds the exact values: --bits and --linear go with join");
     if (ending_of(output) != ".exr") throw UsageError("--part needs an .exr file: -o part-1.exr");

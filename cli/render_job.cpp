@@ -42,25 +42,31 @@ class Rendering {
         if (pictures_ == 0) session_.terminal.show(missing_parts(scene), session_.sources);
 
         progress_.begin_part(pictures_++);
-        const bool is_part = job_.part && !job_.frames;
         std::optional<io::Origin> origin;
-        if (is_part || job_.resume) {
+        if (is_part() || job_.resume) {
             Settings settings = scene.settings;
             job_.settings.apply_to(settings);
             origin = origin_of(job_, loader_, settings, view, frame, time);
         }
         std::optional<io::PartHead> head;
-        if (is_part) head = head_of(*job_.part, view, *origin);
+        if (is_part()) head = head_of(*job_.part, view, *origin, job_.error.any());
         width_ = view.crop ? view.crop->width : view.width;
         height_ = view.crop ? view.crop->height : view.height;
         if (job_.resume && is_kept(output, *origin, head)) return;
-        if (head) {
+        if (head && job_.error.any()) {
+            part_by_error(scene, view, *head, output, begun);
+        } else if (head) {
             part_as_set(scene, view, *head, output);
         } else {
             io::ImageWriteOptions written = job_.image;
-            const Image image = job_.error.any()
-                                    ? image_by_error(scene, view, output, begun, written)
-                                    : image_as_set(scene, view);
+            Image image;
+            if (job_.error.any()) {
+                ErrorRun run = run_by_error(scene, view, std::nullopt, output, begun);
+                written.notes = error_notes(run.report);
+                image = std::move(run.image);
+            } else {
+                image = image_as_set(scene, view);
+            }
             const Stopwatch watch;
             if (origin) {
                 io::write_image(output, image, written, *origin);
@@ -88,19 +94,23 @@ class Rendering {
             session_.output.say(
                 fmt::format("{} ({}x{}) in {:.2f} s\n", what, width_, height_, statistics_.total));
             if (statistics_.error)
-                session_.output.say(fmt::format("{}\n", error_line(*statistics_.error)));
+                session_.output.say(fmt::format("{}{}\n", is_part() ? "this part: " : "",
+                                                error_line(*statistics_.error)));
             if (late_)
                 session_.output.say(
                     "the time was too short: the least that makes a picture took longer\n");
         }
     }
 
+    /// A part may err by more than was asked for: `join` tells whether the picture does.
     ExitCode code() const {
-        const bool missed = statistics_.error && !statistics_.error->is_reached();
+        const bool missed = statistics_.error && !is_part() && !statistics_.error->is_reached();
         return missed || late_ ? ExitCode::differs : ExitCode::done;
     }
 
   private:
+    bool is_part() const { return job_.part && !job_.frames; }
+
     Progress shown() {
         return [this](double share) { progress_.update(share); };
     }
@@ -152,16 +162,29 @@ class Rendering {
         count(scene, *renderer, watch.seconds(), rays);
     }
 
+    /// The same with the samples that an error asks for.
+    void part_by_error(const Scene& scene, const View& view, io::PartHead head,
+                       const std::string& output, const Stopwatch& begun) {
+        const ErrorRun run = run_by_error(scene, view, rows_of(head), output, begun);
+        head.note = accuracy::to_text(run.sums);
+        const Stopwatch watch;
+        write_drawn(run.image, head, output);
+        statistics_.write += watch.seconds();
+    }
+
     /// With the samples that an error asks for, or that there is time for.
-    Image image_by_error(const Scene& scene, const View& view, const std::string& output,
-                         const Stopwatch& begun, io::ImageWriteOptions& written) {
+    ErrorRun run_by_error(const Scene& scene, const View& view,
+                          const std::optional<accuracy::PictureRows>& rows,
+                          const std::string& output, const Stopwatch& begun) {
         const Stopwatch watch;
         const auto run_of = [&] {
             const ErrorOptions& error = job_.error;
             if (error.max_error)
-                return render_to_error(scene, job_.settings, error, job_.level, view, shown());
+                return render_to_error(scene, job_.settings, error, job_.level, view, rows,
+                                       shown());
             if (error.max_off)
-                return render_to_share(scene, job_.settings, error, job_.level, view, shown());
+                return render_to_share(scene, job_.settings, error, job_.level, view, rows,
+                                       shown());
             return render_by_passes(
                 scene, job_.settings, error, job_.level, view,
                 {[&] { return begun.seconds(); },
@@ -177,9 +200,8 @@ class Rendering {
         statistics_.threads = settings.threads;
         for (const RayCounts& rays : {run.report.picture, run.report.deciding, run.report.printed})
             statistics_.add(rays);
-        written.notes = error_notes(run.report);
         statistics_.keep_worse(run.report);
-        return std::move(run.image);
+        return run;
     }
 
     /// The file is a whole picture early, and a better one later. A stream gets the last alone.

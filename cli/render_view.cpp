@@ -45,7 +45,9 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     const int width = view.crop ? view.crop->width : view.width;
     int height = view.crop ? view.crop->height : view.height;
     constexpr int most_strip_rows = 16;  // of a part, which is never held as a whole
-    if (job.part && !job.frames) height = std::min(height, most_strip_rows);
+    if (job.part && !job.frames)
+        height = job.error.any() ? (height + job.part->count - 1) / job.part->count
+                                 : std::min(height, most_strip_rows);
     constexpr int sampled = 20;  // sums, scores and predictions, counted as channels
     const int channels = (job.aov ? 9 : 3) + (job.alpha ? 1 : 0) + (job.error.any() ? sampled : 0);
     const std::uint64_t needed = picture_bytes(width, height, channels);

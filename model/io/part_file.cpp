@@ -62,16 +62,15 @@ void write_part(const std::string& path, const PartHead& head,
 }
 
 struct PartReader::State {
-    explicit State(const std::string& name)
-        : path(name), file(open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
+    explicit State(const std::string& name) : path(name) {
+        open_file();
         struct stat status {};
-        if (file.number() < 0 || fstat(file.number(), &status) != 0)
-            throw system_error("cannot read", path, errno);
+        if (fstat(file->number(), &status) != 0) throw system_error("cannot read", path, errno);
         if (!S_ISREG(status.st_mode))
             throw FileError(fmt::format("'{}' is no part of a picture: it is no file", path));
         const auto size = static_cast<std::uint64_t>(status.st_size);
         std::string begin(std::min<std::uint64_t>(size, most_head_text), '\0');
-        if (!read_at(file.number(), begin, 0, path)) throw damaged(path);
+        if (!read_at(file->number(), begin, 0, path)) throw damaged(path);
         const std::optional<ToldHead> told = told_head(begin);
         if (!told) {
             throw FileError(fmt::format(
@@ -88,13 +87,20 @@ struct PartReader::State {
         const std::uint64_t step = row_head(head, 0, 0).size() + row_size;
         if (size != expected.size() + rows * step) throw damaged(path);
         std::string there(expected.size(), '\0');
-        if (!read_at(file.number(), there, 0, path) || there != expected) throw damaged(path);
+        if (!read_at(file->number(), there, 0, path) || there != expected) throw damaged(path);
+        file.reset();
         at = expected.size();
         digest.add(sealed_text(head));
     }
 
+    /// What another run writes in between shows in the digest.
+    void open_file() {
+        file = std::make_unique<Descriptor>(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+        if (file->number() < 0) throw system_error("cannot read", path, errno);
+    }
+
     std::string path;
-    Descriptor file;
+    std::unique_ptr<Descriptor> file;
     PartHead head;
     std::string seal;
     std::vector<Strip> strips;
@@ -120,9 +126,10 @@ const std::string& PartReader::path() const {
 void PartReader::read_row(double* pixels) {
     State& s = *state_;
     const Strip& strip = s.strips[s.index];
+    if (!s.file) s.open_file();
     const std::string expected = row_head(s.head, static_cast<int>(s.index), strip.first + s.row);
     std::string bytes(expected.size() + s.row_size, '\0');
-    if (!read_at(s.file.number(), bytes, s.at, s.path) || !bytes.starts_with(expected))
+    if (!read_at(s.file->number(), bytes, s.at, s.path) || !bytes.starts_with(expected))
         throw damaged(s.path);
     s.at += bytes.size();
     bytes.erase(0, expected.size());
@@ -131,6 +138,7 @@ void PartReader::read_row(double* pixels) {
     if (++s.row == strip.rows) {
         s.row = 0;
         ++s.index;
+        s.file.reset();
     }
 }
 

@@ -15,7 +15,8 @@ namespace lancer::io {
 void write_part(const std::string& path, const PartHead& head,
                 const std::function<Image(const Strip&)>& draw);
 
-/// A part whose rows are read from the top.
+/// A part whose rows are read from the top. The file is open only while a strip of it is read: a
+/// picture may have more parts than a process may have open files.
 class PartReader {
   public:
     /// Throws FileError when the file cannot be read, is no part, or has not the size and the head

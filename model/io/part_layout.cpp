@@ -176,8 +176,9 @@ std::string row_head(const PartHead& head, int strip, int row) {
 std::string sealed_text(const PartHead& head) {
     std::string extras;
     for (const std::string& name : head.extra_names) extras += " " + name;
-    return fmt::format("{}part {} {}\nsize {} {}\nextra{}\n{}", first_line, head.number, head.count,
-                       head.width, head.height, extras, to_text(head.origin));
+    const std::string note = head.note.empty() ? "" : "note " + head.note + "\n";
+    return fmt::format("{}part {} {}\nsize {} {}\nextra{}\n{}{}", first_line, head.number,
+                       head.count, head.width, head.height, extras, note, to_text(head.origin));
 }
 
 std::string file_head(const PartHead& head, const std::string& seal) {
@@ -222,6 +223,7 @@ std::optional<ToldHead> told_head(std::string_view begin) {
         head.extra_names.emplace_back(rest.substr(0, end));
         rest.remove_prefix(end);
     }
+    if (const auto note = line("note ")) head.note = *note;
     const std::size_t seal = begin.find("seal ");
     if (seal == std::string_view::npos) return std::nullopt;
     const auto origin = origin_of_text(begin.substr(0, seal));

@@ -30,6 +30,8 @@ struct PartHead {
     int height = 0;
     std::vector<std::string> extra_names;  ///< as in Image; without blanks
     Origin origin;
+    /// What `join` needs beside the pixels, known when the first row is written; no line feed.
+    std::string note{};
 
     int channels() const { return 3 + static_cast<int>(extra_names.size()); }
 };

@@ -153,7 +153,9 @@ TEST(RareLight, IsNoticedInSparksAlone) {
         Prediction prediction;
         prediction.score(samples);
         refine(samples, prediction, 1e-4, 20 * samples.size(), {});
-        EXPECT_EQ(rare.missed(samples).forbids(0.01), picture.name == "sparks") << picture.name;
+        EXPECT_EQ(rare.missed(samples).forbid(0.01, double(samples.size())),
+                  picture.name == "sparks")
+            << picture.name;
     }
 }
 
@@ -170,7 +172,7 @@ TEST(RareLight, WhatFillsMuchOfAPixelIsNone) {
         const RareLight rare(samples);
         Prediction prediction;
         refine(samples, prediction, 0.7 * 25e-6, 1000 * samples.size(), {});
-        EXPECT_FALSE(rare.missed(samples).forbids(0.005)) << seed;
+        EXPECT_FALSE(rare.missed(samples).forbid(0.005, double(samples.size()))) << seed;
     }
 }
 

@@ -93,6 +93,91 @@ TEST_F(Parts, AreTheSameBytesForAnyNumberOfThreads) {
     EXPECT_TRUE(one == place_.read("p2.exr"));
 }
 
+TEST_F(Parts, OfAnErrorTellThatOfTheWhole) {
+    const Words options{"--max-error", "0.01", "--size", "96x72"};
+    Words whole = options;
+    whole.insert(whole.end(), {"-o", "whole.png"});
+    const Finished at_once = render(whole);
+    ASSERT_EQ(at_once.code, 0);
+    const std::string told = at_once.out.substr(at_once.out.find('\n'));
+
+    draw_all(1, options);
+    const Finished single = join("out.png", 1);
+    EXPECT_EQ(single.code, 0) << single.err;
+    EXPECT_EQ(single.out.substr(single.out.find('\n')), told);
+    EXPECT_TRUE(place_.read("out.png") == place_.read("whole.png")) << "text of the PNG included";
+
+    const Finished part = draw(2, 4, options);
+    EXPECT_THAT(part.out, HasSubstr("this part: RMSE 0.0"));
+    draw_all(4, options);
+    const std::string bytes = place_.read("p3.exr");
+    ASSERT_EQ(draw(3, 4, {"--max-error", "0.01", "--size", "96x72", "--threads", "1"}).code, 0);
+    EXPECT_TRUE(bytes == place_.read("p3.exr")) << "the same for any number of threads";
+    const Finished joined = join("out.png", 4);
+    EXPECT_EQ(joined.code, 0) << joined.err;
+    EXPECT_THAT(joined.out, HasSubstr("from 4 parts"));
+    EXPECT_THAT(joined.out, HasSubstr("steps of 8 bits), asked 0.01; "));
+    EXPECT_THAT(joined.out, Not(HasSubstr("this part")));
+    ASSERT_EQ(join("out.exr", 4).code, 0);
+    for (const char* name :
+         {"error.asked", "error.rmse", "error.low", "error.high", "rays.per_pixel"}) {
+        EXPECT_THAT(place_.read("out.png"), HasSubstr("lancer:" + std::string(name)));
+        EXPECT_THAT(place_.read("out.exr"), HasSubstr("lancer:" + std::string(name)));
+    }
+    EXPECT_THAT(draw(3, 4, {"--max-error", "0.01", "--size", "96x72", "--resume"}).out,
+                HasSubstr("kept p3.exr"));
+    ASSERT_EQ(draw(3, 4, {"--max-error", "0.02", "--size", "96x72"}).code, 0);
+    fs::remove(place_.path("out.png"));
+    refused(join("out.png", 4), 4, "it is of other options (");
+    EXPECT_THAT(join("out.png", 4).err, HasSubstr("error 0.01"));
+    EXPECT_THAT(join("out.png", 4).err, HasSubstr("error 0.02"));
+}
+
+/// Specks that single rays meet: no error is told. Parts are whole all the same; the picture that
+/// they make has not what was asked for.
+TEST_F(Parts, DoNotFailByTheirErrorAndTheJoinedPictureDoes) {
+    place_.write("a.lancer",
+                 "camera { position [0, 0, 10] look_at [0, 0, 0] }\n"
+                 "for i in 0..9 { for j in 0..9 { sphere { center [i - 4.4, j - 4.3, 0] radius "
+                 "0.006 material { ambient 1 color [60, 60, 60] } } } }\n"
+                 "render { width 96 height 96 }\n");
+    const Words options{"--max-error", "0.02"};
+    ASSERT_EQ(render({"--max-error", "0.02", "-o", "whole.png"}).code, 1);
+    draw_all(2, options);
+    const Finished joined = join("out.png", 2);
+    EXPECT_EQ(joined.code, 1) << joined.out << joined.err;
+    EXPECT_THAT(joined.out, HasSubstr("the error cannot be told"));
+    EXPECT_TRUE(place_.exists("out.png"));
+}
+
+TEST_F(Parts, OfAShareOffAndWithChannels) {
+    draw_all(3, {"--max-off", "2%:3"});
+    const Finished joined = join("out.png", 3);
+    EXPECT_EQ(joined.code, 0) << joined.err;
+    EXPECT_THAT(joined.out, HasSubstr("of the pixels are off by more than 3 steps of 8 bits"));
+    EXPECT_THAT(place_.read("out.png"), HasSubstr("lancer:off.high"));
+    draw_all(1, {"--max-off", "2%:3", "--no-audit", "--aov"});
+    EXPECT_THAT(join("out.exr", 1).out, HasSubstr("not audited"));
+    ASSERT_EQ(render({"--max-off", "2%:3", "--no-audit", "--aov", "-o", "whole.exr"}).code, 0);
+    EXPECT_TRUE(place_.read("out.exr") == place_.read("whole.exr"));
+    draw_all(3, {"--max-error", "0.05", "--aov"});
+    EXPECT_EQ(join("out.exr", 3).code, 0);
+    EXPECT_EQ(place_.image("out.exr").extra_names.size(), 8U);
+}
+
+/// A picture may have more parts than a process may have open files.
+TEST_F(Parts, AreMoreThanOpenFiles) {
+    draw_all(48, {"--size", "16x48"});
+    Words words{"join", "-o", "out.png", "-q"};
+    for (int number = 1; number <= 48; ++number) words.push_back(part_name(number));
+    Surroundings few;
+    few.limits = "-n 20";
+    const Finished joined = place_.run_in(few, words);
+    ASSERT_EQ(joined.code, 0) << joined.err;
+    ASSERT_EQ(render({"--size", "16x48", "-o", "whole.png"}).code, 0);
+    EXPECT_TRUE(place_.read("out.png") == place_.read("whole.png"));
+}
+
 TEST_F(Parts, ThatAreMissingAreNamed) {
     draw_all(1);
     ASSERT_EQ(draw(1, 7).code, 0);
@@ -141,7 +226,8 @@ TEST_F(Parts, WrongUse) {
         {{"--part", "1/0"}, "expected K/N"},
         {{"--part", "three"}, "expected K/N"},
         {{"--part", "1/3", "--time", "1"}, "--part goes with no --time"},
-        {{"--part", "1/3", "--max-error", "0.1"}, "--part of one picture goes with --samples"},
+        {{"--part", "1/3", "--passes", "3"}, "--part goes with no --passes"},
+        {{"--part", "1/3", "--max-error", "1e-6"}, "rays a pixel in this part; about 0."},
         {{"--part", "1/3", "-o", "a.png"}, "--part needs an .exr file"},
         {{"--part", "1/3", "--bits", "16"}, "--bits and --linear go with join"},
         {{"--part", "1/49"}, "no more parts than rows"},

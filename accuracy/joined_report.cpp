@@ -1,0 +1,176 @@
+#include "accuracy/joined_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "accuracy/binomial.h"
+#include "model/elementary.h"
+
+namespace lancer::accuracy {
+namespace {
+
+constexpr std::size_t named_pixels = 3;
+
+double pixels_of(std::span<const ErrorSums> parts) {
+    double pixels = 0;
+    for (const ErrorSums& part : parts) pixels += part.pixels;
+    return pixels;
+}
+
+void keep_largest(std::vector<PixelShare>& pixels, double total) {
+    std::stable_sort(pixels.begin(), pixels.end(),
+                     [](const PixelShare& a, const PixelShare& b) { return a.share > b.share; });
+    pixels.resize(std::min(pixels.size(), named_pixels));
+    if (total > 0)
+        for (PixelShare& p : pixels) p.share /= total;
+}
+
+Specks all_specks(std::span<const ErrorSums> parts) {
+    Specks all;
+    for (const ErrorSums& part : parts) {
+        all.error += part.specks.error;
+        all.squares += part.specks.squares;
+        for (PixelShare p : part.specks.pixels) {
+            p.share *= part.specks.error;
+            all.pixels.push_back(p);
+        }
+    }
+    keep_largest(all.pixels, all.error);
+    return all;
+}
+
+/// The pixels that the audits owe most of their result to. A part's share counts by what its terms
+/// add to the sum of squared ones, each a stratum's weight over the number of its draws.
+std::vector<PixelShare> all_dominant(std::span<const ErrorSums> parts, bool printed) {
+    const double pixels = pixels_of(parts);
+    std::vector<PixelShare> dominant;
+    double total = 0;
+    for (const ErrorSums& part : parts) {
+        const TermSums& sums = printed ? part.printed : part.deciding;
+        const double weight = part.pixels / pixels / sums.count;
+        total += weight * weight * sums.squares;
+        if (part.deciding.are_zero() != printed) continue;  // its pixels are those of the other one
+        for (PixelShare p : part.dominant) {
+            p.share *= weight * weight * sums.squares;
+            dominant.push_back(p);
+        }
+    }
+    keep_largest(dominant, total);
+    return dominant;
+}
+
+/// Of the logarithm of the mean square that the printed audits find, by those that decided.
+double expected_log_error(std::span<const ErrorSums> parts, double mean_square) {
+    const double pixels = pixels_of(parts);
+    double variance = 0;
+    for (const ErrorSums& part : parts) {
+        const double weight = part.pixels / pixels;
+        variance += weight * weight * part.deciding.variance() / part.printed.count;
+    }
+    return std::sqrt(variance) / mean_square;
+}
+
+/// The predicted RMSE of the picture from the parts in which no draw found a difference.
+double unfound(std::span<const ErrorSums> parts) {
+    double sum = 0;
+    for (const ErrorSums& part : parts)
+        if (part.deciding.are_zero() && part.printed.are_zero()) sum += part.predicted;
+    return std::sqrt(sum / (3 * pixels_of(parts)));
+}
+
+void tell_error(ErrorReport& report, std::span<const ErrorSums> parts) {
+    const double pixels = pixels_of(parts);
+    const Specks specks = all_specks(parts);
+    report.rare_light =
+        specks.forbid(report.asked, pixels) ||
+        std::any_of(parts.begin(), parts.end(), [](const ErrorSums& p) { return p.rare_light; });
+    if (report.rare_light) {
+        report.dominant = specks.pixels;
+        return;
+    }
+    std::vector<Stratum> deciding;
+    std::vector<Stratum> printed;
+    for (const ErrorSums& part : parts) {
+        deciding.push_back({part.pixels / pixels, part.deciding, {}});
+        printed.push_back({part.pixels / pixels, part.printed, part.deciding});
+    }
+    const ErrorEstimate judged = estimate_of_strata(deciding);
+    report.effective_draws = judged.effective_draws;
+    constexpr double rounding = 1.001;  // of a number of draws
+    report.is_told = judged.effective_draws >= least_effective_draws && judged.mean_square > 0 &&
+                     expected_log_error(parts, judged.mean_square) <= told_log_error * rounding &&
+                     unfound(parts) <= nearly_none * report.asked;
+    if (report.is_told || judged.all_zero) report.error = estimate_of_strata(printed);
+    if (judged.all_zero) report.effective_draws = report.error.effective_draws;
+    report.dominant = all_dominant(parts, judged.all_zero);
+}
+
+/// The parts' draws are nearly as many for each pixel, and those that are off are counted together.
+/// The count spreads less than a binomial one of the mean chance (Hoeffding, "On the distribution
+/// of the number of successes in independent trials", Ann. Math. Stat. 27, 1956), so Clopper and
+/// Pearson's interval holds for that mean; where a part has too few draws for its pixels, the ends
+/// make up for it.
+void tell_off(OffReport& off, std::span<const ErrorSums> parts) {
+    const double pixels = pixels_of(parts);
+    OffCount all;
+    for (const ErrorSums& part : parts) {
+        all.draws += part.off->printed.draws;
+        all.off += part.off->printed.off;
+        all.undecided += part.off->printed.undecided;
+    }
+    double most = 0;
+    double least = HUGE_VAL;
+    off.estimate = {0, 0, 1};
+    for (const ErrorSums& part : parts) {
+        const double weight = part.pixels / pixels;
+        const double a_draw =
+            weight / static_cast<double>(part.off->printed.draws) * static_cast<double>(all.draws);
+        most = std::max(most, a_draw);
+        least = std::min(least, a_draw);
+        off.estimate.share += weight * estimate(part.off->printed).share;
+    }
+    const OffEstimate together = estimate(all);
+    off.estimate.low = together.low * least;
+    off.estimate.high = std::min(1.0, together.high * most);
+}
+
+}  // namespace
+
+void tell_costs(ErrorReport& report, std::span<const ErrorSums> parts) {
+    const double pixels = pixels_of(parts);
+    double predicted = 0;
+    double scores = 0;
+    report.picture = report.deciding = report.printed = {};
+    for (const ErrorSums& part : parts) {
+        predicted += part.predicted;
+        scores += part.scores;
+        report.picture += part.picture;
+        report.deciding += part.deciding_rays;
+        report.printed += part.printed_rays;
+    }
+    report.predicted = std::sqrt(predicted / (3 * pixels));
+    report.rays_per_pixel = static_cast<double>(report.picture.primary) / pixels;
+    if (predicted > 0) report.even_rays_per_pixel = elementary::pow(scores / predicted, 2.0 / 3);
+}
+
+ErrorReport joined_report(std::span<const ErrorSums> parts) {
+    const ErrorSums& first = parts.front();
+    ErrorReport report;
+    report.asked = first.asked;
+    report.audited = first.audited;
+    tell_costs(report, parts);
+    if (first.off) {
+        report.off.emplace();
+        report.off->asked = first.off->asked;
+        report.off->steps = first.off->steps;
+        for (const ErrorSums& part : parts)
+            report.off->predicted += part.off->predicted / pixels_of(parts);
+        if (report.audited) tell_off(*report.off, parts);
+    } else if (report.audited) {
+        tell_error(report, parts);
+    }
+    return report;
+}
+
+}  // namespace lancer::accuracy
