@@ -8,6 +8,9 @@
 #include "cli/commands.h"
 #include "cli/scene_loader.h"
 #include "cli/scene_summary.h"
+#include "cli/stopwatch.h"
+#include "model/diagnostic.h"
+#include "tracer/render.h"
 #include "tracer/wide/level.h"
 
 namespace lancer::cli {
@@ -38,7 +41,35 @@ std::string projection_of(const Camera& camera) {
                        std::get<OrthographicProjection>(camera.projection).height);
 }
 
-std::string to_text(const Scene& scene, const SceneSummary& summary) {
+/// What is done before the first ray, in seconds: each part of a picture takes it.
+struct FixedCost {
+    double parse = 0;
+    double evaluate = 0;
+    double build = 0;
+    std::string failure;  ///< why nothing can be built
+};
+
+FixedCost cost_of(const SceneLoader& loader, const Scene& scene) {
+    FixedCost cost{loader.parse_seconds(), loader.evaluate_seconds(), 0, ""};
+    const Stopwatch watch;
+    try {
+        compile(scene, scene.settings, best_level());
+    } catch (const SceneError& error) {
+        cost.failure = error.what();
+    }
+    cost.build = watch.seconds();
+    return cost;
+}
+
+std::string words_of(const FixedCost& cost) {
+    const std::string text =
+        fmt::format("parse {:.3f} s, evaluate {:.3f} s", cost.parse, cost.evaluate);
+    if (!cost.failure.empty()) return text + "; it cannot be rendered: " + cost.failure;
+    return fmt::format("{:.3f} s before the first ray, once for each part: {}, build {:.3f} s",
+                       cost.parse + cost.evaluate + cost.build, text, cost.build);
+}
+
+std::string to_text(const Scene& scene, const SceneSummary& summary, const FixedCost& cost) {
     std::string out;
     const auto row = [&out](const char* name, const std::string& text) {
         out += fmt::format("{:<10} {}\n", name, text);
@@ -62,6 +93,7 @@ std::string to_text(const Scene& scene, const SceneSummary& summary) {
                                 list_of({{"texture", summary.textures}}),
                                 list_of({{"image", summary.images}})));
     row("level", fmt::format("{}: rays side by side, by this processor", name_of(best_level())));
+    row("fixed cost", words_of(cost));
     out += fmt::format("\nIt requires of the renderer{}\n",
                        summary.requirements.empty() ? " nothing special" : ":");
     for (const Requirement& r : summary.requirements) {
@@ -77,7 +109,8 @@ nlohmann::ordered_json as_json(const std::vector<Count>& counts) {
     return json;
 }
 
-std::string to_json(const std::string& path, const Scene& scene, const SceneSummary& summary) {
+std::string to_json(const std::string& path, const Scene& scene, const SceneSummary& summary,
+                    const FixedCost& cost) {
     nlohmann::ordered_json json;
     json["scene"] = path;
     json["picture"] = {{"width", scene.width},
@@ -95,6 +128,9 @@ std::string to_json(const std::string& path, const Scene& scene, const SceneSumm
     json["textures"] = summary.textures;
     json["images"] = summary.images;
     json["level"] = name_of(best_level());
+    json["fixed_cost"] = {{"parse", cost.parse}, {"evaluate", cost.evaluate}};
+    json["fixed_cost"]["build"] =
+        cost.failure.empty() ? nlohmann::ordered_json(cost.build) : nlohmann::ordered_json();
     json["requires"] = nlohmann::ordered_json::array();
     for (const Requirement& r : summary.requirements) {
         json["requires"].push_back({{"feature", name_of(r.feature)},
@@ -110,7 +146,9 @@ ExitCode info(const InfoJob& job, Session& session) {
     SceneLoader loader(job.scene, job.scene_options, session);
     const Scene scene = loader.load();
     const SceneSummary summary = summarize(scene, session.sources);
-    session.output.put(job.json ? to_json(job.scene, scene, summary) : to_text(scene, summary));
+    const FixedCost cost = cost_of(loader, scene);
+    session.output.put(job.json ? to_json(job.scene, scene, summary, cost)
+                                : to_text(scene, summary, cost));
     return ExitCode::done;
 }
 

@@ -46,7 +46,7 @@ class Rendering {
         if (is_part() || job_.resume) {
             Settings settings = scene.settings;
             job_.settings.apply_to(settings);
-            origin = origin_of(job_, loader_, settings, view, frame, time);
+            origin = origin_of(job_, loader_, scene, settings, view, frame, time);
         }
         std::optional<io::PartHead> head;
         if (is_part()) head = head_of(*job_.part, view, *origin, job_.error.any());

@@ -10,17 +10,6 @@
 namespace lancer::cli {
 namespace {
 
-/// Every setting but the threads. A new one changes the size, and belongs here.
-std::string text_of(const Settings& s) {
-    static_assert(sizeof(Settings) == 64, "a setting was added: tell it here");
-    return fmt::format(
-        "samples {} {}, seed {}, depth {}, contribution {}, precision {}, tolerance {}{}{}{}",
-        s.samples, s.sampling == Sampling::sobol ? "sobol" : "grid", s.seed, s.max_depth,
-        s.min_contribution, name_of(s.precision),
-        s.tolerance ? fmt::format("{}", *s.tolerance) : "none", s.shadows ? "" : ", no shadows",
-        s.smooth ? "" : ", not smooth", s.textures ? "" : ", no textures");
-}
-
 std::string text_of(const ErrorOptions& e) {
     std::string text;
     if (e.max_error) text += fmt::format(", error {}", *e.max_error);
@@ -33,8 +22,18 @@ std::string text_of(const ErrorOptions& e) {
 
 }  // namespace
 
-io::Origin origin_of(const RenderJob& job, SceneLoader& loader, const Settings& settings,
-                     const View& view, double frame, double time) {
+std::string text_of(const Settings& s) {
+    static_assert(sizeof(Settings) == 64, "a setting was added: tell it here");
+    return fmt::format(
+        "samples {} {}, seed {}, depth {}, contribution {}, precision {}, tolerance {}{}{}{}",
+        s.samples, s.sampling == Sampling::sobol ? "sobol" : "grid", s.seed, s.max_depth,
+        s.min_contribution, name_of(s.precision),
+        s.tolerance ? fmt::format("{}", *s.tolerance) : "none", s.shadows ? "" : ", no shadows",
+        s.smooth ? "" : ", not smooth", s.textures ? "" : ", no textures");
+}
+
+io::Origin origin_of(const RenderJob& job, SceneLoader& loader, const Scene& scene,
+                     const Settings& settings, const View& view, double frame, double time) {
     std::string options = fmt::format("size {}x{}", view.width, view.height);
     if (view.crop) {
         const Crop& c = *view.crop;
@@ -47,7 +46,7 @@ io::Origin origin_of(const RenderJob& job, SceneLoader& loader, const Settings& 
     if (view.alpha) options += ", alpha";
     if (job.image.bits != 8) options += fmt::format(", bits {}", job.image.bits);
     if (job.image.linear) options += ", linear";
-    return {loader.content(), std::string(build_identity()), options};
+    return {loader.digest_of(scene), std::string(build_identity()), options};
 }
 
 }  // namespace lancer::cli

@@ -11,6 +11,7 @@
 #include "cli/arguments.h"
 #include "cli/deep_stack.h"
 #include "cli/picture_options.h"
+#include "cli/scene_digest.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
 
@@ -143,11 +144,18 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
 std::string SceneLoader::content() {
     std::string all = framed(session_.sources.text(script_.file));
     for (const auto& [name, value] : options_.definitions) all += framed(name) + framed(value);
-    for (auto& [path, digest] : read_) {
-        if (digest.empty()) digest = sha256(io::read_file(path));
-        all += framed(digest);
-    }
+    for (const auto& [path, digest] : read_) all += framed(file_digest(path));
     return sha256(all);
+}
+
+std::string SceneLoader::digest_of(const Scene& scene) {
+    return scene_digest(scene, [this](const std::string& path) { return file_digest(path); });
+}
+
+const std::string& SceneLoader::file_digest(const std::string& path) {
+    std::string& digest = read_[path];
+    if (digest.empty()) digest = sha256(io::read_file(path));
+    return digest;
 }
 
 void SceneLoader::show_new(std::vector<Diagnostic> found) {

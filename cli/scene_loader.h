@@ -41,11 +41,17 @@ class SceneLoader {
     /// bytes count as they were then. Throws FileError.
     std::string content();
 
+    /// Digest of what this scene, which load() gave, shows: scenes that a changed script makes
+    /// alike have the same. Images count by their files, which each are read once more. Throws
+    /// FileError.
+    std::string digest_of(const Scene& scene);
+
     double parse_seconds() const { return parse_seconds_; }
     /// Of all evaluations up to now.
     double evaluate_seconds() const { return evaluate_seconds_; }
 
   private:
+    const std::string& file_digest(const std::string& path);
     void show_new(std::vector<Diagnostic> found);
 
     SceneOptions options_;

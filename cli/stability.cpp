@@ -10,13 +10,16 @@
 #include <memory>
 
 #include "cli/arguments.h"
+#include "cli/build_identity.h"
 #include "cli/commands.h"
 #include "cli/memory_bound.h"
+#include "cli/run_origin.h"
 #include "cli/scene_loader.h"
 #include "cli/scene_size.h"
 #include "cli/settings_options.h"
 #include "cli/stability_options.h"
 #include "cli/stopwatch.h"
+#include "cli/sweep_share.h"
 #include "judge/stability/stability_text.h"
 #include "model/diagnostic.h"
 #include "model/precision_names.h"
@@ -30,7 +33,8 @@ using judge::Trial;
 using judge::Window;
 
 struct StabilityJob {
-    std::string scene;
+    std::vector<std::string> scenes;
+    std::optional<PartOf> part;  ///< of all changes of all scenes
     std::string camera;
     std::string json;
     std::string plot;
@@ -95,6 +99,8 @@ void ask_povray(const StabilityJob& job, const Scene& scene, const reference::Ex
 }
 
 void check_names(const StabilityJob& job) {
+    if (!job.plot.empty() && job.scenes.size() > 1)
+        throw UsageError("--plot shows one scene, not several");
     if (!job.plot.empty() && !job.plot.ends_with(".svg"))
         throw UsageError(fmt::format("'{}': the name of a plot ends in .svg", job.plot));
     for (const ChangeRange& demand : job.demands) {
@@ -106,60 +112,131 @@ void check_names(const StabilityJob& job) {
     }
 }
 
-ExitCode stability(const StabilityJob& job, Session& session) {
-    check_names(job);
-    session.will_write(job.json, "--json");
-    session.will_write(job.plot, "--plot");
-    SceneLoader loader(job.scene, job.scene_options, session);
-    Scene scene = loader.load();
-    scene.settings.samples = 1;  // the pixel's centre, unless asked otherwise
-    job.settings.apply_to(scene.settings);
-    const PictureSize size = size_or(job.size, scene, 160);
+/// A scene that is about to be tested.
+struct Subject {
+    std::string name;
+    Scene scene;
+    reference::ExportView view;
+    std::string content;  ///< digest
+};
+
+Subject load(const std::string& path, const StabilityJob& job, Session& session) {
+    SceneLoader loader(path, job.scene_options, session);
+    Subject subject;
+    subject.name = path == "-" ? "standard input" : path;
+    subject.scene = loader.load();
+    subject.scene.settings.samples = 1;  // the pixel's centre, unless asked otherwise
+    job.settings.apply_to(subject.scene.settings);
+    const PictureSize size = size_or(job.size, subject.scene, 160);
     const std::uint64_t needed = 4 * picture_bytes(size.width, size.height, 3);
     if (needed > available_memory())
         throw UsageError(fmt::format("pictures of {}x{} pixels do not fit into memory", size.width,
                                      size.height));
-    const reference::ExportView view{
-        static_cast<std::uint32_t>(pick_camera(scene, job.camera, session)), size.width,
-        size.height};
+    subject.view = {static_cast<std::uint32_t>(pick_camera(subject.scene, job.camera, session)),
+                    size.width, size.height};
+    subject.content = loader.content();
+    return subject;
+}
 
-    StabilityReport report;
-    report.scene = job.scene == "-" ? "standard input" : job.scene;
-    report.precision = name_of(scene.settings.precision);
-    report.width = size.width;
-    report.height = size.height;
-    report.options.fail = job.fail.value_or(report.options.fail);
-    report.options.fail_percent = job.fail_percent.value_or(0);
-    report.options.every = job.every;
+/// The scenes' tests, one after the other. With --part only every N-th change is tried, scene after
+/// scene, POV-Ray counting as one: the others are other machines'.
+class Tests {
+  public:
+    Tests(const StabilityJob& job, Session& session) : job_(job), session_(session) {
+        if (!job.no_cache) cache_ = reference::cache_folder();
+    }
 
-    const Stopwatch watch;
-    const auto may_go_on = [&] { return !job.time || watch.seconds() < *job.time; };
-    const auto show = [&](const std::string& text) {
-        if (!job.quiet) session.output.say(text);
-    };
-    judge::StabilityTest test(scene, judge::renderer_of(view), report.options, may_go_on);
-    show(stability_head(report));
-    for (const Trial& trial : trials_of(job, scene, view.camera)) {
-        report.windows.push_back(test.run(trial));
-        show(stability_row(report, report.windows.back()));
+    void run(const Subject& subject) {
+        StabilityReport report;
+        report.scene = subject.name;
+        report.precision = name_of(subject.scene.settings.precision);
+        report.width = subject.view.width;
+        report.height = subject.view.height;
+        report.options.fail = job_.fail.value_or(report.options.fail);
+        report.options.fail_percent = job_.fail_percent.value_or(0);
+        report.options.every = job_.every;
+        judge::StabilityTest test(subject.scene, judge::renderer_of(subject.view), report.options,
+                                  [this] { return may_go_on(); },
+                                  {cache_, made_from(subject, report.options), !!job_.part});
+        const std::vector<Trial> trials = ours(trials_of(job_, subject.scene, subject.view.camera));
+        const bool with_povray = !job_.no_povray && is_ours();
+        if (trials.empty() && !with_povray) return;
+        show((reports_.empty() ? "" : "\n") + stability_head(report));
+        for (const Trial& trial : trials) {
+            report.windows.push_back(test.run(trial));
+            show(stability_row(report, report.windows.back()));
+        }
+        if (with_povray && may_go_on()) {
+            ask_povray(job_, subject.scene, subject.view, job_.time.value_or(0) - watch_.seconds(),
+                       report);
+            show(stability_row(report, *report.povray));
+        }
+        if (!job_.part) {
+            judge_demands(report);
+            show(stability_foot(report) + "\n" + stability_sentence(report) + "\n");
+        }
+        reports_.push_back(std::move(report));
     }
-    if (!job.no_povray && may_go_on()) {
-        ask_povray(job, scene, view, job.time.value_or(0) - watch.seconds(), report);
-        show(stability_row(report, *report.povray));
+
+    ExitCode finish() {
+        session_.write(job_.json, stability_json(reports_));
+        if (!job_.plot.empty()) session_.write(job_.plot, stability_plot(reports_.front()));
+        return all_held_ ? ExitCode::done : ExitCode::differs;
     }
-    bool all_held = true;
-    for (const ChangeRange& demand : job.demands) {
-        const auto window =
-            std::find_if(report.windows.begin(), report.windows.end(),
-                         [&](const Window& w) { return w.trial.change == demand.change; });
-        const bool held = is_held(demand, *window);
-        report.demands.push_back({demand.text, held});
-        all_held = all_held && held;
+
+  private:
+    bool may_go_on() const { return !job_.time || watch_.seconds() < *job_.time; }
+    std::vector<Trial> ours(std::vector<Trial> trials) {
+        std::erase_if(trials, [this](const Trial&) { return !is_ours(); });
+        return trials;
     }
-    show(stability_foot(report) + "\n" + stability_sentence(report) + "\n");
-    session.write(job.json, stability_json(report));
-    session.write(job.plot, stability_plot(report));
-    return all_held ? ExitCode::done : ExitCode::differs;
+    bool is_ours() { return !job_.part || job_.part->has(piece_++); }
+    void show(const std::string& text) {
+        if (!job_.quiet) session_.output.say(text);
+    }
+
+    static std::string made_from(const Subject& subject, const judge::StabilityOptions& options) {
+        return fmt::format("{} {} camera {} size {}x{}, {}, fail {} {}", build_identity(),
+                           subject.content, subject.view.camera, subject.view.width,
+                           subject.view.height, text_of(subject.scene.settings), options.fail,
+                           options.fail_percent);
+    }
+
+    void judge_demands(StabilityReport& report) {
+        for (const ChangeRange& demand : job_.demands) {
+            const auto window =
+                std::find_if(report.windows.begin(), report.windows.end(),
+                             [&](const Window& w) { return w.trial.change == demand.change; });
+            const bool held = is_held(demand, *window);
+            report.demands.push_back({demand.text, held});
+            all_held_ = all_held_ && held;
+        }
+    }
+
+    const StabilityJob& job_;
+    Session& session_;
+    Stopwatch watch_;
+    std::string cache_;
+    std::vector<StabilityReport> reports_;
+    std::int64_t piece_ = 0;
+    bool all_held_ = true;
+};
+
+ExitCode stability(const StabilityJob& job, Session& session) {
+    check_names(job);
+    check_share(job.part,
+                !job.json.empty()   ? "--json"
+                : !job.plot.empty() ? "--plot"
+                                    : "",
+                job.no_cache ? std::string() : reference::cache_folder());
+    session.will_write(job.json, "--json");
+    session.will_write(job.plot, "--plot");
+    // All are read before the first is tested: a mistake in the last would come late.
+    std::vector<Subject> subjects;
+    for (const std::string& path : job.scenes) subjects.push_back(load(path, job, session));
+    Tests tests(job, session);
+    for (const Subject& subject : subjects) tests.run(subject);
+    return tests.finish();
 }
 
 void add_range_option(CLI::App& command, const std::string& name, std::vector<ChangeRange>& target,
@@ -182,7 +259,7 @@ void add_stability(CLI::App& app, Action& action) {
     CLI::App& command = *app.add_subcommand(
         "stability", "Find how far a scene can be scaled and moved before its picture changes");
     const auto job = std::make_shared<StabilityJob>();
-    command.add_option("SCENE", job->scene, "Scene file; - reads standard input")
+    command.add_option("SCENE", job->scenes, "Scene files; - reads standard input")
         ->required()
         ->type_name("");
     add_range_option(command, "--try", job->tries,
@@ -215,8 +292,9 @@ void add_stability(CLI::App& app, Action& action) {
             "--size", [job](const std::string& text) { job->size = parse_size(text); },
             "Size of the pictures; 160 pixels wide by default, in the scene's proportions")
         ->type_name("WxH");
+    add_share_option(command, job->part, "change");
     command.add_flag("--no-povray", job->no_povray, "Do not run POV-Ray, should it be there");
-    command.add_flag("--no-cache", job->no_cache, "Have POV-Ray make every picture anew");
+    command.add_flag("--no-cache", job->no_cache, "Make every picture anew");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
     add_settings_options(command, job->settings);
     add_scene_options(command, job->scene_options);

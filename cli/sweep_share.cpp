@@ -23,22 +23,28 @@ void check_writable(const std::string& cache) {
 
 }  // namespace
 
-void add_share_option(CLI::App& app, std::optional<PartOf>& part) {
+void add_share_option(CLI::App& app, std::optional<PartOf>& part, const std::string& what) {
     app.add_option_function<std::string>(
            "--part", [&part](const std::string& text) { part = parse_part(text); },
-           "Every N-th scene from the K-th on; the cache keeps what a run over all needs")
+           "Every N-th " + what + " from the K-th on; the cache keeps what a run over all needs")
         ->type_name("K/N");
 }
 
-std::vector<std::string> share_of(const std::vector<std::string>& scenes,
-                                  const std::optional<PartOf>& part, const std::string& report,
-                                  const std::string& cache) {
-    if (!part) return scenes;
+void check_share(const std::optional<PartOf>& part, const std::string& report,
+                 const std::string& cache) {
+    if (!part) return;
     if (!report.empty())
         throw UsageError(report + " tells of all scenes: the last run, without --part, writes it");
     if (cache.empty())
         throw UsageError("--part keeps its results in the cache: leave --no-cache out");
     check_writable(cache);
+}
+
+std::vector<std::string> share_of(const std::vector<std::string>& scenes,
+                                  const std::optional<PartOf>& part, const std::string& report,
+                                  const std::string& cache) {
+    check_share(part, report, cache);
+    if (!part) return scenes;
     std::vector<std::string> share;
     for (std::size_t i = 0; i < scenes.size(); ++i)
         if (part->has(static_cast<std::int64_t>(i))) share.push_back(scenes[i]);

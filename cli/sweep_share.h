@@ -10,8 +10,13 @@
 
 namespace lancer::cli {
 
-/// The option --part.
-void add_share_option(CLI::App& app, std::optional<PartOf>& part);
+/// The option --part. `what`: what is dealt.
+void add_share_option(CLI::App& app, std::optional<PartOf>& part,
+                      const std::string& what = "scene");
+
+/// Throws as below when this part of a sweep cannot be of use.
+void check_share(const std::optional<PartOf>& part, const std::string& report,
+                 const std::string& cache);
 
 /// The scenes of this part, all of them without one.
 ///

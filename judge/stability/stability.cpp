@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "judge/stability/sample_cache.h"
 #include "judge/validate/our_renderer.h"
 #include "model/diagnostic.h"
 #include "model/similar.h"
@@ -166,13 +167,13 @@ Sample compare_to(const Image& reference, const Image& image, int exponent,
 }
 
 StabilityTest::StabilityTest(const Scene& scene, PreciseRenderer renderer,
-                             const StabilityOptions& options, std::function<bool()> may_go_on)
+                             const StabilityOptions& options, std::function<bool()> may_go_on,
+                             SampleCache cache)
     : scene_(scene),
       render_(std::move(renderer)),
       options_(options),
       may_go_on_(std::move(may_go_on)),
-      unchanged_(render_(scene, scene.settings.precision)),
-      pictures_(1) {}
+      cache_(std::move(cache)) {}
 
 bool StabilityTest::look(Window& window, int exponent) {
     if (exponent == window.trial.origin() && base_of(window.trial.change) != 0 &&
@@ -184,27 +185,33 @@ bool StabilityTest::look(Window& window, int exponent) {
         return false;
     }
     const Change change = window.trial.change;
+    if (const std::optional<Sample> kept = kept_sample(cache_, change, exponent)) {
+        window.samples.push_back(*kept);
+        return true;
+    }
+    window.samples.push_back(sample_of(change, exponent));
+    if (cache_.grows) keep_sample(cache_, change, window.samples.back());
+    return true;
+}
+
+Sample StabilityTest::sample_of(Change change, int exponent) {
     const Precision own = scene_.settings.precision;
+    if (!unchanged_) unchanged_ = render_(scene_, own);
     Sample sample;
     try {
         const Scene other = changed(scene_, change, exponent);
         const Image image = render_(other, change == Change::extended ? Precision::extended : own);
-        ++pictures_;
-        if (change == Change::distance) {
-            sample = compare_to(render_(other, Precision::extended), image, exponent, options_);
-            ++pictures_;
-        } else {
-            sample = compare_to(unchanged_, image, exponent, options_);
-        }
+        const bool is_afar = change == Change::distance;
+        sample = compare_to(is_afar ? render_(other, Precision::extended) : *unchanged_, image,
+                            exponent, options_);
         if (change == Change::twos) sample.right = sample.different == 0;
     } catch (const SceneError& error) {
         sample.exponent = exponent;
         sample.failure = error.what();
-        sample.wrong = sample.different = unchanged_.data.size() / 3;
+        sample.wrong = sample.different = unchanged_->data.size() / 3;
         sample.most = 1;
     }
-    window.samples.push_back(sample);
-    return true;
+    return sample;
 }
 
 bool StabilityTest::look_for_end(Window& window, int limit) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,31 +87,38 @@ using PreciseRenderer = std::function<Image(const Scene& scene, Precision precis
 /// Lancer's renderer, for this view of each scene.
 PreciseRenderer renderer_of(const reference::ExportView& view);
 
+/// Where samples are kept that were taken already.
+struct SampleCache {
+    std::string folder;  ///< empty: nowhere
+    /// All that decides a sample beside its change: the scene, the view, the options, the program
+    /// itself. Hashed.
+    std::string content;
+    bool grows = false;  ///< new samples are kept
+};
+
 class StabilityTest {
   public:
     /// \param may_go_on  asked before every picture; once false, what is open stays open
-    /// Throws SceneError when the scene as it is cannot be rendered.
     StabilityTest(const Scene& scene, PreciseRenderer renderer, const StabilityOptions& options,
-                  std::function<bool()> may_go_on);
+                  std::function<bool()> may_go_on, SampleCache cache = {});
 
-    /// Tries one change, with few pictures: exponents 1, 2, 4, 8 … until one is wrong, then halves.
-    /// What is wrong only between exponents that were right is not found; `every` looks at all.
+    /// Throws SceneError when the scene as it is cannot be rendered. Tries one change, with few
+    /// pictures: exponents 1, 2, 4, 8 … until one is wrong, then halves. What is wrong only between
+    /// exponents that were right is not found; `every` looks at all.
     Window run(const Trial& trial);
-
-    const Image& unchanged() const { return unchanged_; }
-    std::size_t pictures() const { return pictures_; }
 
   private:
     /// Looks at one exponent, unless it was looked at; false when no time is left.
     bool look(Window& window, int exponent);
+    Sample sample_of(Change change, int exponent);
     bool look_for_end(Window& window, int limit);
 
     const Scene& scene_;
     PreciseRenderer render_;
     StabilityOptions options_;
     std::function<bool()> may_go_on_;
-    Image unchanged_;
-    std::size_t pictures_ = 0;
+    SampleCache cache_;
+    std::optional<Image> unchanged_;
 };
 
 /// The scene with all lengths times 10^k, and so on for the other changes.

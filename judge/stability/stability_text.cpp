@@ -217,7 +217,9 @@ std::string stability_sentence(const StabilityReport& report) {
     return out;
 }
 
-std::string stability_json(const StabilityReport& report) {
+namespace {
+
+nlohmann::ordered_json json_of(const StabilityReport& report) {
     nlohmann::ordered_json json;
     json["scene"] = report.scene;
     json["precision"] = report.precision;
@@ -255,6 +257,19 @@ std::string stability_json(const StabilityReport& report) {
     json["demands"] = nlohmann::ordered_json::array();
     for (const WindowDemand& d : report.demands)
         json["demands"].push_back({{"demand", d.text}, {"held", d.held}});
+    return json;
+}
+
+}  // namespace
+
+std::string stability_json(const std::vector<StabilityReport>& reports) {
+    nlohmann::ordered_json json;
+    if (reports.size() == 1) {
+        json = json_of(reports.front());
+    } else {
+        json["scenes"] = nlohmann::ordered_json::array();
+        for (const StabilityReport& report : reports) json["scenes"].push_back(json_of(report));
+    }
     return json.dump(2) + "\n";
 }
 

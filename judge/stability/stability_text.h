@@ -45,7 +45,8 @@ std::string stability_foot(const StabilityReport& report);
 std::string stability_sentence(const StabilityReport& report);
 
 /// Everything, every sample too. Ends with a line feed. docs/stability.md has the keys.
-std::string stability_json(const StabilityReport& report);
+/// Several reports: an object with the list of them as `scenes`.
+std::string stability_json(const std::vector<StabilityReport>& reports);
 
 /// Wrong pixels against the exponent, one panel per change that has one. An SVG document.
 std::string stability_plot(const StabilityReport& report);

@@ -12,7 +12,7 @@ namespace lancer::io {
 
 /// All that decides the pixels. The members hold no line feed.
 struct Origin {
-    std::string scene;    ///< digest of the script, of what -D says and of every file that was read
+    std::string scene;    ///< digest of what the evaluated scene shows
     std::string build;    ///< digest of the program's sources and of how they were compiled
     std::string options;  ///< for people too, as in "size 640x480, samples 2"
 

@@ -158,12 +158,17 @@ TEST(Commands, InfoTellsWhatTheSceneHoldsAndWhoAsksForWhat) {
     EXPECT_EQ(text.code, 0) << text.err;
     EXPECT_THAT(text.out, HasSubstr("2 spheres, 1 box, 1 plane"));
     EXPECT_THAT(text.out, HasSubstr("a.lancer:11:1: sphere \"drop\""));
+    EXPECT_THAT(text.out, HasSubstr(" s before the first ray, once for each part: parse 0."));
 
     const Finished finished = place.run({"info", "--json", "a.lancer"});
     const nlohmann::json json = nlohmann::json::parse(finished.out);
     EXPECT_EQ(json.at("shapes").at("sphere"), 2);
     EXPECT_EQ(json.at("cameras").size(), 2u);
     EXPECT_EQ(json.at("level"), name_of(best_level()));
+    for (const char* step : {"parse", "evaluate", "build"}) {
+        EXPECT_GT(json.at("fixed_cost").at(step), 0);
+        EXPECT_LT(json.at("fixed_cost").at(step), 10);
+    }
     std::vector<std::string> features;
     for (const auto& requirement : json.at("requires"))
         features.push_back(requirement.at("feature"));

@@ -94,43 +94,44 @@ TEST_F(Parts, AreTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(Parts, OfAnErrorTellThatOfTheWhole) {
-    const Words options{"--max-error", "0.01", "--size", "96x72"};
-    Words whole = options;
-    whole.insert(whole.end(), {"-o", "whole.png"});
-    const Finished at_once = render(whole);
+    const Words options{"--max-error", "0.02"};
+    const Finished at_once = render({"--max-error", "0.02", "-o", "whole.png"});
     ASSERT_EQ(at_once.code, 0);
     const std::string told = at_once.out.substr(at_once.out.find('\n'));
-
     draw_all(1, options);
     const Finished single = join("out.png", 1);
     EXPECT_EQ(single.code, 0) << single.err;
     EXPECT_EQ(single.out.substr(single.out.find('\n')), told);
     EXPECT_TRUE(place_.read("out.png") == place_.read("whole.png")) << "text of the PNG included";
 
-    const Finished part = draw(2, 4, options);
-    EXPECT_THAT(part.out, HasSubstr("this part: RMSE 0.0"));
-    draw_all(4, options);
+    EXPECT_THAT(draw(3, 3, options).out, HasSubstr("this part: RMSE 0.0"));
+    ASSERT_EQ(draw(1, 3, options).code, 0);
+    ASSERT_EQ(draw(2, 3, options).code, 0);
     const std::string bytes = place_.read("p3.exr");
-    ASSERT_EQ(draw(3, 4, {"--max-error", "0.01", "--size", "96x72", "--threads", "1"}).code, 0);
+    ASSERT_EQ(draw(3, 3, {"--max-error", "0.02", "--threads", "1"}).code, 0);
     EXPECT_TRUE(bytes == place_.read("p3.exr")) << "the same for any number of threads";
-    const Finished joined = join("out.png", 4);
+    const Finished joined = join("out.png", 3);
     EXPECT_EQ(joined.code, 0) << joined.err;
-    EXPECT_THAT(joined.out, HasSubstr("from 4 parts"));
-    EXPECT_THAT(joined.out, HasSubstr("steps of 8 bits), asked 0.01; "));
+    EXPECT_THAT(joined.out, HasSubstr("from 3 parts"));
+    EXPECT_THAT(joined.out, HasSubstr("steps of 8 bits), asked 0.02; "));
     EXPECT_THAT(joined.out, Not(HasSubstr("this part")));
-    ASSERT_EQ(join("out.exr", 4).code, 0);
+    ASSERT_EQ(join("out.exr", 3).code, 0);
     for (const char* name :
          {"error.asked", "error.rmse", "error.low", "error.high", "rays.per_pixel"}) {
         EXPECT_THAT(place_.read("out.png"), HasSubstr("lancer:" + std::string(name)));
         EXPECT_THAT(place_.read("out.exr"), HasSubstr("lancer:" + std::string(name)));
     }
-    EXPECT_THAT(draw(3, 4, {"--max-error", "0.01", "--size", "96x72", "--resume"}).out,
-                HasSubstr("kept p3.exr"));
-    ASSERT_EQ(draw(3, 4, {"--max-error", "0.02", "--size", "96x72"}).code, 0);
-    fs::remove(place_.path("out.png"));
-    refused(join("out.png", 4), 4, "it is of other options (");
-    EXPECT_THAT(join("out.png", 4).err, HasSubstr("error 0.01"));
-    EXPECT_THAT(join("out.png", 4).err, HasSubstr("error 0.02"));
+    EXPECT_THAT(draw(3, 3, {"--max-error", "0.02", "--resume"}).out, HasSubstr("kept p3.exr"));
+}
+
+TEST_F(Parts, OfAnotherErrorAreRefused) {
+    for (const char* number : {"1", "2", "3"}) {
+        const std::string error = number == std::string("2") ? "0.05" : "0.06";
+        ASSERT_EQ(draw(number[0] - '0', 3, {"--max-error", error, "--no-audit"}).code, 0);
+    }
+    refused(join("out.png", 3), 4, "it is of other options (");
+    EXPECT_THAT(join("out.png", 3).err, HasSubstr("error 0.05"));
+    EXPECT_THAT(join("out.png", 3).err, HasSubstr("error 0.06"));
 }
 
 /// Specks that single rays meet: no error is told. Parts are whole all the same; the picture that
@@ -139,8 +140,8 @@ TEST_F(Parts, DoNotFailByTheirErrorAndTheJoinedPictureDoes) {
     place_.write("a.lancer",
                  "camera { position [0, 0, 10] look_at [0, 0, 0] }\n"
                  "for i in 0..9 { for j in 0..9 { sphere { center [i - 4.4, j - 4.3, 0] radius "
-                 "0.006 material { ambient 1 color [60, 60, 60] } } } }\n"
-                 "render { width 96 height 96 }\n");
+                 "0.006 material { emission 60 } } } }\n"
+                 "image { width 96 height 96 }\n");
     const Words options{"--max-error", "0.02"};
     ASSERT_EQ(render({"--max-error", "0.02", "-o", "whole.png"}).code, 1);
     draw_all(2, options);
@@ -151,16 +152,16 @@ TEST_F(Parts, DoNotFailByTheirErrorAndTheJoinedPictureDoes) {
 }
 
 TEST_F(Parts, OfAShareOffAndWithChannels) {
-    draw_all(3, {"--max-off", "2%:3"});
-    const Finished joined = join("out.png", 3);
+    draw_all(2, {"--max-off", "4%:4"});
+    const Finished joined = join("out.png", 2);
     EXPECT_EQ(joined.code, 0) << joined.err;
-    EXPECT_THAT(joined.out, HasSubstr("of the pixels are off by more than 3 steps of 8 bits"));
+    EXPECT_THAT(joined.out, HasSubstr("of the pixels are off by more than 4 steps of 8 bits"));
     EXPECT_THAT(place_.read("out.png"), HasSubstr("lancer:off.high"));
     draw_all(1, {"--max-off", "2%:3", "--no-audit", "--aov"});
     EXPECT_THAT(join("out.exr", 1).out, HasSubstr("not audited"));
     ASSERT_EQ(render({"--max-off", "2%:3", "--no-audit", "--aov", "-o", "whole.exr"}).code, 0);
     EXPECT_TRUE(place_.read("out.exr") == place_.read("whole.exr"));
-    draw_all(3, {"--max-error", "0.05", "--aov"});
+    draw_all(3, {"--max-error", "0.05", "--aov", "--no-audit"});
     EXPECT_EQ(join("out.exr", 3).code, 0);
     EXPECT_EQ(place_.image("out.exr").extra_names.size(), 8U);
 }
@@ -200,6 +201,11 @@ TEST_F(Parts, OfOtherPicturesAreRefused) {
     fs::copy_file(place_.path("p1.exr"), place_.path("twice.exr"));
     refused(place_.run({"join", "p1.exr", "p2.exr", "twice.exr", "p3.exr", "-o", "out.png"}), 4,
             "'p1.exr' and 'twice.exr' are both part 1 of 3");
+    std::string other_build = place_.read("p2.exr");
+    const std::size_t build = other_build.find("\nbuild ") + 7;
+    other_build[build] = other_build[build] == '0' ? '1' : '0';
+    place_.write("p2.exr", other_build);
+    refused(join("out.png", 3), 4, "it is of another build of lancer");
     place_.write("a.lancer", small_scene() + "sphere { radius 0.1 }\n");
     stranger({}, "another scene");
 }
@@ -227,7 +233,7 @@ TEST_F(Parts, WrongUse) {
         {{"--part", "three"}, "expected K/N"},
         {{"--part", "1/3", "--time", "1"}, "--part goes with no --time"},
         {{"--part", "1/3", "--passes", "3"}, "--part goes with no --passes"},
-        {{"--part", "1/3", "--max-error", "1e-6"}, "rays a pixel in this part; about 0."},
+        {{"--part", "1/3", "--max-error", "1e-6"}, "rays a pixel in this part; about "},
         {{"--part", "1/3", "-o", "a.png"}, "--part needs an .exr file"},
         {{"--part", "1/3", "--bits", "16"}, "--bits and --linear go with join"},
         {{"--part", "1/49"}, "no more parts than rows"},
@@ -258,6 +264,24 @@ TEST_F(Parts, AnAnimationsFramesAreDealt) {
 }
 
 using Resume = Parts;
+
+TEST_F(Resume, WhatShowsNothingIsNoOtherScene) {
+    const Words options{"--resume"};
+    place_.write("shine.ppm", "P6 1 1 255\nabc");
+    const std::string ball =
+        "sphere { radius 0.2 center [1, 1, 0] material { color texture { image \"shine.ppm\" } } "
+        "}\n";
+    place_.write("a.lancer", small_scene() + ball);
+    ASSERT_EQ(draw(1, 2, options).code, 0);
+    place_.write("a.lancer",
+                 "// another word\nlet one = 1\n" + small_scene() +
+                     "for i in 0..1 { sphere { name \"ball\" radius 0.1 + 0.1 "
+                     "center [one, 1, i * 5] material { color texture { image \"shine.ppm\" } } } "
+                     "}\n");
+    EXPECT_THAT(draw(1, 2, options).out, HasSubstr("kept p1.exr"));
+    place_.write("shine.ppm", "P6 1 1 255\nabd");
+    EXPECT_THAT(draw(1, 2, options).err, HasSubstr("drawn again: it is of another scene"));
+}
 
 TEST_F(Resume, APartIsDrawnOnceAndAgainWhenSomethingHasChanged) {
     const Words options{"--resume"};

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/session.h"
@@ -118,6 +119,48 @@ TEST(StabilityCommand, SaysWhenPovRayIsMissing) {
                                         small_scene(), {"LANCER_POVRAY=/nowhere/povray"});
     EXPECT_EQ(finished.code, 0);
     EXPECT_THAT(finished.out, HasSubstr("/nowhere/povray"));
+}
+
+/// Three machines share two scenes; the last run takes all from what they kept.
+TEST(StabilityCommand, PartsKeepWhatALastRunOverAllNeeds) {
+    const Workplace place;
+    place.write("a.lancer", small_scene());
+    place.write("b.lancer", small_scene() + "sphere { radius 0.1 }\n");
+    const std::vector<std::string> cache{"LANCER_CACHE=" + place.path("cache")};
+    const auto sweep = [&](std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"stability", "a.lancer", "b.lancer", "--size", "32x24", "--no-povray"});
+        return place.run(more, "", cache);
+    };
+    ASSERT_EQ(sweep({"--json", "whole.json", "--no-cache"}).code, 0);
+    EXPECT_FALSE(place.exists("cache")) << "a plain run keeps nothing";
+    int rows = 0;
+    for (const char* part : {"1/5", "2/5", "3/5", "4/5", "5/5"}) {
+        const Finished finished = sweep({"--part", part});
+        EXPECT_EQ(finished.code, 0) << finished.err;
+        for (const char* title : {"size, times 10^k", "size, times 2^k", "moved by", "as far",
+                                  "axes renamed", "against 64 bits"})
+            for (std::size_t at = 0; (at = finished.out.find(title, at)) != std::string::npos; ++at)
+                ++rows;
+    }
+    EXPECT_EQ(rows, 12) << "each change of each scene once";
+    namespace fs = std::filesystem;
+    std::vector<fs::path> entries;
+    for (const auto& entry : fs::directory_iterator(place.path("cache/stability")))
+        entries.push_back(entry.path());
+    EXPECT_GT(entries.size(), 30U);
+
+    ASSERT_EQ(sweep({"--json", "joined.json"}).code, 0);
+    EXPECT_EQ(place.read("joined.json"), place.read("whole.json"));
+    EXPECT_EQ(nlohmann::json::parse(place.read("joined.json")).at("scenes").size(), 2U);
+    // Entries that are damaged are made anew.
+    for (const fs::path& entry : entries) place.write(fs::relative(entry, place.path("")), "x");
+    ASSERT_EQ(sweep({"--json", "joined.json"}).code, 0);
+    EXPECT_EQ(place.read("joined.json"), place.read("whole.json"));
+    EXPECT_EQ(sweep({"--part", "1/2", "--json", "a.json"}).code, 2);
+    EXPECT_EQ(sweep({"--part", "1/2", "--no-cache"}).code, 2);
+    EXPECT_EQ(sweep({"--part", "3/2"}).code, 2);
+    EXPECT_EQ(sweep({"--plot", "a.svg"}).code, 2);
 }
 
 TEST(StabilityCommand, WrongUseIsTwo) {

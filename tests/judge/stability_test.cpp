@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 
 #include "judge/stability/stability_text.h"
@@ -11,6 +12,8 @@
 
 namespace lancer::judge {
 namespace {
+
+namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
@@ -56,6 +59,33 @@ TEST(Stability, FindsBothEndsWithFewPictures) {
     EXPECT_TRUE(w.holds(-7, 11));
     EXPECT_FALSE(w.holds(-8, 11));
     EXPECT_FALSE(w.holds(-7, 12));
+}
+
+TEST(Stability, WhatIsKeptIsNotLookedAtAgain) {
+    const Scene scene = ball();
+    int pictures = 0;
+    const FakeRenderer renderer{1e-7, 1.5e11, 0.5, &pictures};
+    const fs::path folder = fs::path(testing::TempDir()) / "lancer-stability-cache";
+    fs::remove_all(folder);
+    const auto found = [&](const std::string& content) {
+        StabilityTest test(scene, renderer, {}, [] { return true; },
+                           {folder.string(), content, true});
+        return test.run({Change::scale, -100, 100, {}});
+    };
+    const Window first = found("a");
+    const int made = pictures;
+    const Window second = found("a");
+    EXPECT_EQ(pictures, made) << "not even the unchanged one";
+    EXPECT_EQ(second.lowest, -7);
+    EXPECT_EQ(second.highest, 11);
+    ASSERT_EQ(second.samples.size(), first.samples.size());
+    for (std::size_t i = 0; i < first.samples.size(); ++i) {
+        EXPECT_EQ(second.samples[i].wrong, first.samples[i].wrong);
+        EXPECT_EQ(second.samples[i].most, first.samples[i].most);
+    }
+    found("b");
+    EXPECT_EQ(pictures, 2 * made);
+    fs::remove_all(folder);
 }
 
 TEST(Stability, EveryEndIsFound) {
