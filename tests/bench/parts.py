@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+"""Measures pictures in parts, for docs/many-machines.md.
+
+    tests/bench/parts.py LANCER workers [SECONDS]   12 parts of each gallery scene on 4 workers, simulated from the parts'
+                                                    own processor times; SECONDS (60): what the whole takes one thread
+    tests/bench/parts.py LANCER errors              rays of parts by an error beside those of the whole
+    tests/bench/parts.py LANCER poster [SIDE]       memory and time of joining SIDE x SIDE pixels (32768)
+    tests/bench/parts.py LANCER kills [COUNT]       COUNT kills (100) at random moments over parts, frames and a sweep
+
+Processor times do not depend on what else the machine does, as long as the rays of one process stay on one thread.
+"""
+import hashlib
+import heapq
+import json
+import os
+import random
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+GALLERY = sorted((ROOT / "scenes" / "gallery").glob("*.lancer"))
+LANCER = ""
+
+
+def run(*words, codes=(0,), **more):
+    """Processor seconds and peak memory in bytes of one run, and what it printed."""
+    process = subprocess.Popen([LANCER, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **more)
+    text = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode not in codes:
+        sys.exit(f"lancer {' '.join(map(str, words))}: exit code {process.returncode}\n{text}")
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, text
+
+
+def makespan(times, workers):
+    """Each worker takes the next part when it is free, as the tasks of an array are dealt."""
+    free = [0.0] * workers
+    for t in times:
+        heapq.heapreplace(free, free[0] + t)
+    return max(free)
+
+
+def fixed_cost(scene):
+    cost = json.loads(run("info", "--json", scene)[2])["fixed_cost"]
+    return sum(cost.values())
+
+
+def workers(seconds=60.0):
+    print(f"| scene | size | whole, s | 12 parts, s | longest | 4 workers, s | times one worker | fixed cost of a part, s |")
+    print("|---|---|---|---|---|---|---|---|")
+    worst = 99.0
+    with tempfile.TemporaryDirectory() as folder:
+        for scene in GALLERY:
+            def draw(width, *more, name="whole.png"):
+                size = f"{width}x{width * 3 // 4}"
+                return run("render", scene, "--threads", 1, "-q", "--size", size, "--samples", 2, *more,
+                           "-o", Path(folder) / name)[0]
+            begun = draw(160)
+            width = max(160, int(160 * (seconds / begun) ** 0.5) // 16 * 16)
+            whole = draw(width)
+            parts = [draw(width, "--part", f"{k}/12", name=f"{k}.exr") for k in range(1, 13)]
+            run("join", "-q", *[Path(folder) / f"{k}.exr" for k in range(1, 13)], "-o", Path(folder) / "joined.png")
+            if (Path(folder) / "joined.png").read_bytes() != (Path(folder) / "whole.png").read_bytes():
+                sys.exit(f"{scene}: joined parts are not the whole")
+            together = makespan(parts, 4)
+            worst = min(worst, whole / together)
+            print(f"| {scene.stem} | {width} x {width * 3 // 4} | {whole:.1f} | {sum(parts):.1f} | {max(parts):.2f} | "
+                  f"{together:.2f} | {whole / together:.2f} | {fixed_cost(scene):.3f} |", flush=True)
+    print(f"\nthe least: {worst:.2f} times one worker")
+
+
+def errors():
+    print("| scene | asked | rays a pixel, whole | 4 parts | 12 parts | audits, whole | 4 parts | 12 parts | RMSE, whole | 4 parts | 12 parts |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        for scene in GALLERY:
+            rays, audits, told = [], [], []
+            for count in (1, 4, 12):
+                names = [Path(folder) / f"{k}.exr" for k in range(1, count + 1)]
+                own = other = 0
+                for k, name in enumerate(names, 1):
+                    run("render", scene, "--size", "640x480", "--max-error", 0.01, "--part", f"{k}/{count}", "-q",
+                        "--stats", Path(folder) / "s.json", "-o", name, codes=(0, 1))
+                    stats = json.loads((Path(folder) / "s.json").read_text())["error"]
+                    own += stats["picture_rays"]
+                    other += stats["audit_rays"] + stats["deciding_rays"]
+                text = run("join", *names, "-o", Path(folder) / "a.png", codes=(0, 1))[2]
+                rays.append(f"{own / 307200:.2f}")
+                audits.append(f"{other / 307200:.2f}")
+                told.append(text.splitlines()[-1].split(", asked")[0].removeprefix("RMSE "))
+            print(f"| {scene.stem} | 0.01 | " + " | ".join(rays + audits + told) + " |", flush=True)
+
+
+POSTER = """camera { position [0, 0, 5] look_at [0, 0, 0] }
+light point { position [4, 6, 3] }
+sphere { radius 0.2 }
+"""
+
+
+def poster(side=32768):
+    """Most of the picture is black, so that a file system can keep its parts without their zeros."""
+    count = 32
+    with tempfile.TemporaryDirectory(dir=os.environ.get("TMPDIR", "/tmp")) as folder:
+        folder = Path(folder)
+        (folder / "a.lancer").write_text(POSTER)
+        names = [folder / f"{k}.exr" for k in range(1, count + 1)]
+        most, seconds = 0, 0.0
+        for k, name in enumerate(names, 1):
+            cost, memory, _ = run("render", folder / "a.lancer", "--size", f"{side}x{side}", "--part", f"{k}/{count}", "-q",
+                                  "-o", name)
+            subprocess.run(["fallocate", "--dig-holes", name], check=True)
+            most, seconds = max(most, memory), seconds + cost
+        print(f"{count} parts of {side} x {side} pixels: {sum(n.stat().st_size for n in names) / 1e9:.1f} GB, "
+              f"{seconds:.0f} s of the processor, {most / 1e6:.0f} MB at the most each", flush=True)
+        for ending in ("png", "exr"):
+            begun = time.monotonic()
+            cost, memory, text = run("join", *names, "-o", folder / f"poster.{ending}")
+            print(f"join to {ending}: {memory / 1e6:.0f} MB at the most, {cost:.0f} s of the processor, "
+                  f"{time.monotonic() - begun:.0f} s; {text.strip()}", flush=True)
+            (folder / f"poster.{ending}").unlink()
+
+
+BALL = """camera { position [0, 1, 5] look_at [0, 0, 0] }
+light point { position [4, 6, 3] }
+plane { offset -1 material { color [0.5, 0.4, 0.3] } }
+sphere { radius 1 + 0.02 * frame material { reflection 0.3 } }
+"""
+
+
+def digests(folder):
+    """Of every file that has its name, not the temporary one under which it is written."""
+    return {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(folder.rglob("*"))
+            if path.is_file() and not path.name.startswith(".")}
+
+
+def kills(count=100):
+    chance = random.Random(7)
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        (folder / "a.lancer").write_text(BALL)
+        work = folder / "work"
+        work.mkdir()
+        environment = {**os.environ, "LANCER_CACHE": str(work / "cache")}
+        size = ("--size", "320x240")
+        jobs = {f"part {k}": ("render", folder / "a.lancer", *size, "--samples", 3, "--resume", "--part", f"{k}/3",
+                              "-o", work / f"p{k}.exr") for k in (1, 2, 3)}
+        jobs |= {f"part by an error {k}": ("render", folder / "a.lancer", *size, "--max-error", 0.004, "--resume",
+                                           "--part", f"{k}/2", "-o", work / f"e{k}.exr") for k in (1, 2)}
+        jobs |= {f"frames {k}": ("render", folder / "a.lancer", "--frames", "1..6", *size, "--resume", "--part", f"{k}/2",
+                                 "-o", work / "f-%d.png") for k in (1, 2)}
+        jobs |= {f"sweep {k}": ("stability", folder / "a.lancer", "--no-povray", "--size", "120x90", "--part", f"{k}/2")
+                 for k in (1, 2)}
+        # What each makes, and how long it takes, without a kill.
+        lengths = {}
+        for name, job in jobs.items():
+            begun = time.monotonic()
+            run(*job, env=environment)
+            lengths[name] = time.monotonic() - begun
+        right = digests(work)
+        for path in right:
+            path.unlink()
+        hit, there = 0, {}
+        names = list(jobs)
+        for i in range(count):
+            name = names[i % len(names)]
+            # All that was written before must be there still; now and then some is lost, to be made again.
+            for path in list(there):
+                if chance.random() < 0.3:
+                    path.unlink()
+            before = digests(work)
+            process = subprocess.Popen(list(map(str, [LANCER, *jobs[name]])), env=environment, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, text=True)
+            time.sleep(chance.random() * lengths[name])
+            process.send_signal(signal.SIGKILL)
+            _, said = process.communicate()
+            hit += process.returncode == -signal.SIGKILL
+            if "drawn again" in said:
+                sys.exit(f"kill {i}, {name}: {said}")
+            there = digests(work)
+            for path, digest in there.items():
+                if right.get(path) != digest:
+                    sys.exit(f"kill {i}, {name}: {path.name} is not what it should be")
+            for path in before:
+                if path not in there:
+                    sys.exit(f"kill {i}, {name}: {path.name} is lost")
+        for name, job in jobs.items():
+            text = run(*job, env=environment)[2]
+            if "drawn again" in text:
+                sys.exit(f"{name}: {text}")
+        if digests(work) != right:
+            sys.exit("in the end the files are not those that they should be")
+        for letter, parts, more in (("p", 3, ("--samples", 3)), ("e", 2, ())):
+            run("join", "-q", *[work / f"{letter}{k}.exr" for k in range(1, parts + 1)], "-o", folder / f"{letter}.png")
+            if more:
+                run("render", folder / "a.lancer", *size, *more, "-q", "-o", folder / "whole.png")
+                if (folder / f"{letter}.png").read_bytes() != (folder / "whole.png").read_bytes():
+                    sys.exit("joined parts are not the whole")
+        sweep = ("stability", folder / "a.lancer", "--no-povray", "--size", "120x90", "--json")
+        run(*sweep, folder / "kept.json", env=environment)
+        run(*sweep, folder / "anew.json", "--no-cache", env=environment)
+        if (folder / "kept.json").read_text() != (folder / "anew.json").read_text():
+            sys.exit("the sweep's report is not that of a run without a cache")
+        left = [p.name for p in work.rglob("*") if p.is_file() and p not in right]
+        print(f"{count} kills, {hit} of them in the middle of a run: nothing lost, nothing wrong; left behind: {left or 'nothing'}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    LANCER = os.path.abspath(sys.argv[1])
+    what = {"workers": workers, "errors": errors, "poster": poster, "kills": kills}.get(sys.argv[2])
+    if what is None:
+        sys.exit(__doc__)
+    kinds = {"workers": float}
+    what(*[kinds.get(sys.argv[2], int)(word) for word in sys.argv[3:]])
