@@ -10,7 +10,7 @@ packages_to_build=(
 )
 packages_to_test=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev
-    povray clang-format-14 python3 chromium chromium-driver
+    povray tachyon clang-format-14 python3 chromium chromium-driver
     slurmctld slurmd slurm-client munge make parallel
 )
 packages_to_test_all=(

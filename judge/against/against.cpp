@@ -110,6 +110,9 @@ void tell_where(Validation& result, const ValidationJob& job, const ProbeFunctio
         result.reasons.push_back(fmt::format("about {} of them show {}", suspect.pixels,
                                              object_words(job, suspect.object)));
     }
+    result.reasons.emplace_back(
+        "whether some of them are coincident surfaces, reference outliers or known differences of "
+        "POV-Ray's is not decidable from a picture");
     for (const reference::Coincidence& c : undecidable(job)) {
         result.reasons.push_back(fmt::format(
             "faces of {} and {} lie in one place: where they are seen it is not decidable from a "
@@ -121,7 +124,9 @@ void tell_where(Validation& result, const ValidationJob& job, const ProbeFunctio
 
 void judge(Validation& result, const AgainstJob& job) {
     const Reading& reading = job.reading;
-    Image picture = read_foreign_picture(job.picture, reading.encoding, result.thresholds.interior);
+    ForeignPicture foreign =
+        read_foreign_picture(job.picture, reading.encoding, result.thresholds.interior);
+    Image& picture = foreign.light;
     for (const std::string& problem : {size_problem(picture, job), non_finite_problem(picture)}) {
         if (problem.empty()) continue;
         result.verdict = Verdict::differs;
@@ -139,16 +144,22 @@ void judge(Validation& result, const AgainstJob& job) {
     result.our_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.ours = std::move(ours.image);
-    result.theirs = std::move(picture);
+    const bool is_lower = is_rounded_down(result.ours, foreign);
+    result.theirs = is_lower ? std::move(foreign.raised) : std::move(foreign.light);
     if (!compare_pictures(result)) return;
     result.judgement = judge_pictures(result.ours, result.theirs, ours.probe, result.thresholds, {},
                                       rays_for_explaining(ours.rays));
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
     result.reasons = result.judgement.failures;
-    if (result.judgement.pass) return;
-    tell_where(result, scene, ours.probe);
-    result.cause = likely_cause(scene, result.ours, result.theirs, result.judgement, reading,
-                                clipped, ours.probe);
+    if (!result.judgement.pass) {
+        tell_where(result, scene, ours.probe);
+        result.cause = likely_cause(scene, result.ours, result.theirs, result.judgement, reading,
+                                    clipped, ours.probe);
+    }
+    if (is_lower) {
+        result.reasons.emplace_back(
+            "its numbers are rounded down, not to the nearest: half a step of 16 bits is added");
+    }
 }
 
 }  // namespace

@@ -52,7 +52,9 @@ Report against_report(const std::string& lancer_version, const std::string& pict
              "our own picture must take the other's value. Explaining is bounded: at most {:g} % "
              "of the edge pixels, at most {:g} % by edges that are off by more than {} pixel, no "
              "shift between the pictures, no common direction of the offsets. Everything else is "
-             "unexplained, and fails. Of the pixels away from edges {:g} % must agree within {}.",
+             "unexplained, and fails; whether it is a coincident surface, a reference outlier or a "
+             "known difference takes POV-Ray, and is not decidable from a picture. Of the pixels "
+             "away from edges {:g} % must agree within {}.",
              shown(defaults.interior), defaults.radius, defaults.explained_share * 100,
              defaults.displaced_share * 100, shown(defaults.rounding), defaults.tight_share * 100,
              shown(defaults.tight))},

@@ -43,6 +43,32 @@ bool has_8_bits(const Image& numbers) {
            has_many_values(numbers.data, 2);
 }
 
+bool has_16_bits(const Image& numbers) {
+    return std::all_of(numbers.data.begin(), numbers.data.end(), [](double v) {
+        return v >= 0 && v <= 1 && std::abs(v * 65535 - std::round(v * 65535)) < 1e-6;
+    });
+}
+
+/// Light of numbers that are half a step of 16 bits higher, but for 0 and 1, which may be clipped.
+/// Nothing where the file names a curve that is neither linear nor sRGB.
+Image half_a_step_up(const Image& numbers, const Image& light, Encoding encoding) {
+    if (encoding.kind == Encoding::Kind::automatic) {
+        if (light.data == numbers.data) {
+            encoding.kind = Encoding::Kind::linear;
+        } else {
+            encoding.kind = Encoding::Kind::srgb;
+            for (std::size_t i = 0; i < light.data.size(); ++i)
+                if (std::abs(light.data[i] - light_of(numbers.data[i], encoding)) > 1e-9) return {};
+        }
+    }
+    Image raised = light;
+    for (std::size_t i = 0; i < light.data.size(); ++i) {
+        const double number = numbers.data[i];
+        if (number > 0 && number < 1) raised.data[i] = light_of(number + 0.5 / 65535, encoding);
+    }
+    return raised;
+}
+
 /// Whether all numbers fit the 11 binary digits of half floats.
 bool has_11_digits(const Image& numbers) {
     const auto is_half = [](double v) {
@@ -109,7 +135,8 @@ Image without_alpha(const Image& image) {
 
 }  // namespace
 
-Image read_foreign_picture(const std::string& path, const Encoding& encoding, double tolerance) {
+ForeignPicture read_foreign_picture(const std::string& path, const Encoding& encoding,
+                                    double tolerance) {
     const Image numbers = in_color(io::read_image(path, io::ColorSpace::linear));
     refuse_alpha(path, numbers);
     Image light = numbers;
@@ -118,7 +145,29 @@ Image read_foreign_picture(const std::string& path, const Encoding& encoding, do
     if (light.width != numbers.width || light.data.size() != numbers.data.size())
         throw FileError(fmt::format("'{}' changed while it was read", path));
     refuse_coarse(path, numbers, light, tolerance);
-    return without_alpha(light);
+    ForeignPicture picture{without_alpha(light), {}};
+    if (has_16_bits(numbers))
+        picture.raised = half_a_step_up(without_alpha(numbers), picture.light, encoding);
+    return picture;
+}
+
+bool is_rounded_down(const Image& ours, const ForeignPicture& picture) {
+    constexpr std::size_t least_values = 64;
+    if (picture.raised.data.empty()) return false;
+    std::set<double> values;  // equal ones are one witness
+    std::size_t seen = 0;
+    std::size_t below = 0;    // what rounding down leaves
+    std::size_t nearest = 0;  // what rounding to the nearest leaves
+    for (std::size_t i = 0; i < ours.data.size(); ++i) {
+        const double half = picture.raised.data[i] - picture.light.data[i];
+        const double lost = ours.data[i] - picture.light.data[i];
+        if (!(half > 0) || std::abs(lost) > 4 * half || !values.insert(ours.data[i]).second)
+            continue;
+        ++seen;
+        below += lost > -0.05 * half && lost < 2.05 * half ? 1 : 0;
+        nearest += std::abs(lost) < 1.05 * half ? 1 : 0;
+    }
+    return seen >= least_values && 100 * below > 99 * seen && 4 * nearest < 3 * seen;
 }
 
 }  // namespace lancer::judge

@@ -26,9 +26,22 @@ struct Reading {
     double center_y = 0.5;
 };
 
-/// The picture in linear light, three channels, for a judgement that lets values differ by
-/// `tolerance`. Throws FileError when it cannot be read, has alpha, or holds steps that are too
-/// coarse for such a judgement (8 bits, half floats).
-Image read_foreign_picture(const std::string& path, const Encoding& encoding, double tolerance);
+/// What a file holds, in linear light, three channels.
+struct ForeignPicture {
+    Image light;
+    /// The same with every number half a step higher, but for 1: what is meant by a program that
+    /// rounds down. Empty where the numbers are not those of 16 bits.
+    Image raised;
+};
+
+/// Reads the picture for a judgement that lets values differ by `tolerance`. Throws FileError when
+/// it cannot be read, has alpha, or holds steps that are too coarse for such a judgement (8 bits,
+/// half floats).
+ForeignPicture read_foreign_picture(const std::string& path, const Encoding& encoding,
+                                    double tolerance);
+
+/// Whether the numbers of the file are `ours` rounded down, and not to the nearest. Told by pixels
+/// that agree, where there are enough.
+bool is_rounded_down(const Image& ours, const ForeignPicture& picture);
 
 }  // namespace lancer::judge

@@ -1,10 +1,14 @@
 #include "judge/against/shift_fit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "judge/explain/probe_function.h"
 
@@ -14,6 +18,27 @@ namespace {
 
 constexpr double slope_step = 0.02;  // pixels, on each side
 constexpr int rounds = 12;
+/// Places are tried so far apart, in pixels, up to `reach` on all sides.
+constexpr double spacing = 0.5;
+constexpr int steps = 3;
+constexpr std::size_t starts = 2;         ///< the best of them are refined
+constexpr std::size_t most_points = 800;  ///< at which places are compared
+
+/// Every n-th of the points that differ.
+Samples few_of(const Samples& samples) {
+    Samples few = samples;
+    few.points.clear();
+    few.ours.clear();
+    few.theirs.clear();
+    const std::size_t step = samples.different / most_points + 1;
+    for (std::size_t i = 0; i < samples.different; i += step) {
+        few.points.push_back(samples.points[i]);
+        few.ours.push_back(samples.ours[i]);
+        few.theirs.push_back(samples.theirs[i]);
+    }
+    few.different = few.points.size();
+    return few;
+}
 
 class ShiftFinder {
   public:
@@ -31,7 +56,8 @@ class ShiftFinder {
     }
 
     /// The sum of the differences, each up to a bound: what edges do counts for little.
-    double misfit(const std::vector<Color>& colors) const {
+    double misfit(double x, double y) const {
+        const std::vector<Color> colors = at(x, y);
         double sum = 0;
         for (std::size_t i = 0; i < colors.size(); ++i)
             sum += std::min(0.05, distance(as_held(colors[i], samples_), samples_.theirs[i]));
@@ -53,8 +79,9 @@ class ShiftFinder {
                 const double gx = (right[i][c] - left[i][c]) / (2 * slope_step);
                 const double gy = (below[i][c] - above[i][c]) / (2 * slope_step);
                 const double d = samples_.theirs[i][c] - here[i][c];
-                // An edge between the points of the slope is none.
-                if (std::abs(gx) > 1 || std::abs(gy) > 1) continue;
+                if (!is_slope(left[i][c], here[i][c], right[i][c]) ||
+                    !is_slope(above[i][c], here[i][c], below[i][c]))
+                    continue;
                 const double moved = reach * std::hypot(gx, gy);
                 if (!(moved > 0)) continue;
                 const double weight = 1 / (1 + d * d / (moved * moved));
@@ -72,26 +99,44 @@ class ShiftFinder {
         return PicturePoint{x + dx, y + dy};
     }
 
-    PicturePoint find() const {
-        PicturePoint best{0, 0};
-        double least = misfit(at(0, 0));
-        for (const double y : {0.0, -0.5, 0.5, -1.0, 1.0}) {
-            for (const double x : {0.0, -0.5, 0.5, -1.0, 1.0}) {
-                const double found = misfit(at(x, y));
-                if (found >= least) continue;
-                least = found;
-                best = {x, y};
+    /// An edge between two of the values is none.
+    static bool is_slope(double before, double here, double behind) {
+        return std::abs(before - 2 * here + behind) <= 0.2 * std::abs(behind - before) + 1e-9;
+    }
+
+    struct Place {
+        PicturePoint shift;
+        double misfit = 0;
+    };
+
+    /// The best places of a grid, those with the least misfit first.
+    std::vector<Place> good_places() const {
+        std::vector<Place> places;
+        for (int j = -steps; j <= steps; ++j) {
+            for (int i = -steps; i <= steps; ++i) {
+                const PicturePoint shift{i * spacing, j * spacing};
+                places.push_back({shift, misfit(shift.x, shift.y)});
             }
         }
-        PicturePoint place = best;
+        std::stable_sort(places.begin(), places.end(),
+                         [](const Place& a, const Place& b) { return a.misfit < b.misfit; });
+        places.resize(starts);
+        return places;
+    }
+
+    /// The place with the least misfit on the way from `start`. `reach` is how far the first step's
+    /// slopes are followed; each later one's half as far.
+    Place refined(const Place& start, double reach) const {
+        Place best = start;
+        PicturePoint place = start.shift;
         for (int round = 0; round < rounds; ++round) {
-            const auto next = better(place.x, place.y, std::max(2e-3, std::ldexp(0.5, -round)));
+            const auto next = better(place.x, place.y, std::max(2e-3, std::ldexp(reach, -round)));
             if (!next || std::hypot(next->x, next->y) > 4) break;
+            const bool has_come = std::hypot(next->x - place.x, next->y - place.y) < 1e-5;
             place = *next;
-            const double found = misfit(at(place.x, place.y));
-            if (found >= least) continue;
-            least = found;
-            best = place;
+            const double found = misfit(place.x, place.y);
+            if (found < best.misfit) best = {place, found};
+            if (has_come) break;
         }
         return best;
     }
@@ -104,13 +149,22 @@ class ShiftFinder {
 };
 
 std::string shift_words(double x, double y, double center_x, double center_y) {
-    const auto round4 = [](double v) { return std::round(v * 1e4) / 1e4 + 0.0; };
-    const double px = round4(center_x + x);
-    const double py = round4(center_y + y);
+    // The pictures are told apart by no less (Thresholds::shift).
+    const auto rounded = [](double v) { return std::round(v * 1e3) / 1e3 + 0.0; };
+    const double px = rounded(center_x + x);
+    const double py = rounded(center_y + y);
+    // Rays further to the right show what lies there: the picture has moved to the left.
+    std::vector<std::string> ways;
+    if (rounded(x) != 0)
+        ways.push_back(fmt::format("{:g} pixel to the {}", std::abs(rounded(x)),
+                                   rounded(x) > 0 ? "left" : "right"));
+    if (rounded(y) != 0)
+        ways.push_back(
+            fmt::format("{:g} pixel {}", std::abs(rounded(y)), rounded(y) > 0 ? "up" : "down"));
     std::string words = fmt::format(
-        "its rays go through points ({:g}, {:g}) pixel beside those assumed, x to "
-        "the right and y down",
-        round4(x), round4(y));
+        "the picture is shifted by {}: its rays go through points ({:g}, {:g}) pixel beside those "
+        "assumed, x to the right and y down",
+        fmt::join(ways, " and "), rounded(x), rounded(y));
     if (px >= 0 && px <= 1 && py >= 0 && py <= 1) {
         words += px == py ? fmt::format(" (--pixel-center {:g})", px)
                           : fmt::format(" (--pixel-center {:g},{:g})", px, py);
@@ -139,9 +193,17 @@ std::vector<Explanation> turned_pictures(const Samples& samples, const VariantTr
 
 Explanation shifted_picture(const Samples& samples, const VariantTracer& tracer, const Scene& scene,
                             const Renderer& renderer, double center_x, double center_y) {
+    const Samples few = few_of(samples);
+    const ShiftFinder rough(few, tracer, scene, renderer);
+    ShiftFinder::Place best{{0, 0}, std::numeric_limits<double>::infinity()};
+    for (const ShiftFinder::Place& place : rough.good_places()) {
+        const ShiftFinder::Place found = rough.refined(place, spacing);
+        if (found.misfit < best.misfit) best = found;
+    }
     const ShiftFinder finder(samples, tracer, scene, renderer);
-    const PicturePoint place = finder.find();
-    return {shift_words(place.x, place.y, center_x, center_y), finder.at(place.x, place.y)};
+    best.misfit = finder.misfit(best.shift.x, best.shift.y);
+    const PicturePoint shift = finder.refined(best, 4e-3).shift;
+    return {shift_words(shift.x, shift.y, center_x, center_y), finder.at(shift.x, shift.y)};
 }
 
 }  // namespace lancer::judge

@@ -11,9 +11,10 @@ namespace lancer::judge {
 std::vector<Explanation> turned_pictures(const Samples& samples, const VariantTracer& tracer,
                                          const Scene& scene, const Renderer& renderer);
 
-/// The picture whose rays go through other points of the pixels: the corners and middles of their
-/// sides are tried, and from the best of them the place is refined by Gauss and Newton's method,
-/// pixels that a shift explains badly counting little.
+/// The picture whose rays go through other points of the pixels, up to a pixel and a half away:
+/// places half a pixel apart are tried at some of the samples, and from the best of them the
+/// place is refined by Gauss and Newton's method, pixels that a shift explains badly counting
+/// little.
 Explanation shifted_picture(const Samples& samples, const VariantTracer& tracer, const Scene& scene,
                             const Renderer& renderer, double center_x, double center_y);
 

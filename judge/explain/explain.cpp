@@ -223,6 +223,10 @@ std::string class_name(PixelClass pixel_class) {
     return {};
 }
 
+bool needs_povray(PixelClass c) {
+    return c == PixelClass::known || c == PixelClass::coincident || c == PixelClass::outlier;
+}
+
 Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunction& probe,
                          const Thresholds& limits, const SecondLook& second,
                          std::uint64_t most_rays) {

@@ -54,6 +54,8 @@ enum class PixelClass : std::uint8_t {
 };
 inline constexpr std::size_t pixel_classes = 10;
 std::string class_name(PixelClass pixel_class);
+/// Whether the class is given by what POV-Ray, or its rules, are asked besides its picture.
+bool needs_povray(PixelClass pixel_class);
 
 /// A pixel over the interior threshold.
 struct DifferentPixel {

@@ -226,7 +226,7 @@ ReportEntry report_entry(const Validation& v) {
             shown(v.judgement.interior_max, 2),
             fmt::format("{:.3f} %", v.judgement.tight_share * 100),
             std::to_string(v.judgement.explained + v.judgement.count(PixelClass::outlier)),
-            std::to_string(v.judgement.count(PixelClass::known)),
+            v.picture.empty() ? std::to_string(v.judgement.count(PixelClass::known)) : "-",
             std::to_string(v.judgement.count(PixelClass::unexplained)),
             seconds(v.our_seconds),
             v.picture.empty() ? seconds(v.pov_seconds) : "-"};

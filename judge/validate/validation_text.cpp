@@ -20,10 +20,13 @@ std::string table_row(const Validation& v, std::size_t name_width) {
     std::string row = fmt::format("{:<{}}  {:<8}", v.name, name_width, verdict_name(v.verdict));
     if (v.comparison.comparable) {
         const Judgement& j = v.judgement;
+        const auto by_povray = [&](PixelClass c) {
+            return v.picture.empty() ? std::to_string(j.count(c)) : "-";
+        };
         row += fmt::format(" {:>9.2g} {:>7.3f} % {:>9} {:>11} {:>6} {:>10}", j.interior_max,
                            j.tight_share * 100, j.explained + j.count(PixelClass::outlier),
-                           j.count(PixelClass::unexplained), j.count(PixelClass::known),
-                           j.count(PixelClass::coincident));
+                           j.count(PixelClass::unexplained), by_povray(PixelClass::known),
+                           by_povray(PixelClass::coincident));
         row += fmt::format(" {:>5.2f} s", v.our_seconds);
         row += v.picture.empty()
                    ? fmt::format(" {:>7.2f} s{}", v.pov_seconds, v.from_cache ? " (kept)" : "")
@@ -65,6 +68,16 @@ nlohmann::ordered_json worst_json(const Judgement& judgement, const std::string&
     return list;
 }
 
+/// Classes that take POV-Ray, which a picture cannot be asked.
+std::vector<std::string> names_of_undecidable() {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < pixel_classes; ++i) {
+        const auto c = static_cast<PixelClass>(i);
+        if (needs_povray(c)) names.push_back(class_name(c));
+    }
+    return names;
+}
+
 nlohmann::ordered_json scene_json(const Validation& v) {
     nlohmann::ordered_json json;
     json["name"] = v.name;
@@ -91,9 +104,13 @@ nlohmann::ordered_json scene_json(const Validation& v) {
                          {"reflected_edge", j.count(PixelClass::secondary)},
                          {"steep", j.count(PixelClass::steep)},
                          {"displaced", j.displaced}};
-    json["outliers"] = j.count(PixelClass::outlier);
-    json["known"] = j.count(PixelClass::known);
-    json["coincident"] = j.count(PixelClass::coincident);
+    if (v.picture.empty()) {
+        json["outliers"] = j.count(PixelClass::outlier);
+        json["known"] = j.count(PixelClass::known);
+        json["coincident"] = j.count(PixelClass::coincident);
+    } else {
+        json["not_decidable_from_a_picture"] = names_of_undecidable();
+    }
     json["coincidences"] = nlohmann::ordered_json::array();
     for (const reference::Coincidence& c : v.coincidences)
         json["coincidences"].push_back({{"first", c.first},

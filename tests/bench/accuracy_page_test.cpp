@@ -4,8 +4,8 @@
 
 #include "model/diagnostic.h"
 #include "tests/bench/accuracy/page.h"
-#include "tests/bench/accuracy/tachyon.h"
 #include "tests/extremes/stage.h"
+#include "tests/reference/tachyon/tachyon.h"
 
 namespace lancer::bench {
 namespace {
@@ -63,10 +63,10 @@ TEST(AccuracyPage, TheRestOfThePageStays) {
 }
 
 TEST(Tachyon, GetsWhatItHasWordsFor) {
-    const std::string text = tachyon_scene(extremes::base_stage().scene);
-    EXPECT_THAT(text, HasSubstr("SPHERE CENTER -2.25 0.75 0 RAD 0.75 m"));
-    EXPECT_THAT(text, HasSubstr("FCYLINDER BASE -1 0 1.5 APEX -1 0.75 1.75 RAD 0.375 m"));
-    EXPECT_THAT(text, HasSubstr("LIGHT CENTER 4 6 3 "));
+    const std::string text = tachyon_scene(extremes::base_stage().scene).text;
+    EXPECT_THAT(text, HasSubstr("SPHERE CENTER 2.25 0.75 0 RAD 0.75 m"));
+    EXPECT_THAT(text, HasSubstr("FCYLINDER BASE 1 0 1.5 APEX 1 0.75 1.75 RAD 0.375 m"));
+    EXPECT_THAT(text, HasSubstr("LIGHT CENTER -4 6 3 "));
     EXPECT_THAT(text, Not(HasSubstr("0.625"))) << "the glass ball";
 }
 

@@ -1,6 +1,7 @@
 // Pictures with planted faults and without: what `validate --against` makes of them.
 #include "judge/against/against.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <limits>
 #include <random>
 
+#include "judge/validate/validation_text.h"
 #include "model/io/temporary_file.h"
 #include "model/srgb.h"
 
@@ -15,6 +17,7 @@ namespace lancer::judge {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int width = 64;
 constexpr int height = 48;
@@ -130,6 +133,21 @@ struct Planted {
     std::string cause;  ///< what the words must hold
 };
 
+/// Hundredths of a pixel, up to one to either side.
+double drawn_shift(Drawn& drawn) {
+    return (drawn.one_of(2) == 0 ? -0.01 : 0.01) * (5 + drawn.one_of(96));
+}
+
+/// What is said of a picture whose rays go (x, y) pixel beside the centres: it has moved the other
+/// way.
+std::string shift_words(double x, double y) {
+    std::string words = "the picture is shifted by ";
+    if (x != 0) words += fmt::format("{:g} pixel to the {}", std::abs(x), x > 0 ? "left" : "right");
+    if (x != 0 && y != 0) words += " and ";
+    if (y != 0) words += fmt::format("{:g} pixel {}", std::abs(y), y > 0 ? "up" : "down");
+    return words + ":";
+}
+
 /// The fault number `kind`, its amount drawn.
 Planted plant(Drawn& drawn, int kind) {
     Scene scene = drawn.scene();
@@ -139,15 +157,11 @@ Planted plant(Drawn& drawn, int kind) {
         return image;
     };
     switch (kind) {
-        case 0: {
-            const double x = drawn.one_of(2) == 0 ? -0.5 : 0.5;
-            return {rendered(scene, x, -0.5),
-                    x < 0 ? "(--pixel-center 0)" : "(--pixel-center 1,0)"};
-        }
+        case 0:
         case 1: {
-            const double x = drawn.one_of(2) == 0 ? -0.5 : 0.5;
-            return {rendered(scene, x, 0),
-                    x < 0 ? "(--pixel-center 0,0.5)" : "(--pixel-center 1,0.5)"};
+            const double x = drawn_shift(drawn);
+            const double y = kind == 0 ? drawn_shift(drawn) : 0;
+            return {rendered(scene, x, y), shift_words(x, y)};
         }
         case 2:
         case 3: {
@@ -220,6 +234,19 @@ TEST_F(Against, NamesTheCauseOfEachPlantedFault) {
         EXPECT_EQ(v.verdict, Verdict::differs) << seed << said(v);
         EXPECT_THAT(v.cause.value_or("none"), HasSubstr(fault.cause)) << seed << said(v);
     }
+}
+
+TEST_F(Against, TellsHowFarAPictureIsShifted) {
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        Drawn drawn(300 + seed);
+        const double x = drawn_shift(drawn);
+        const double y = drawn_shift(drawn);
+        const Validation v = judged(drawn.scene(), rendered(drawn.scene(), x, y));
+        EXPECT_THAT(v.cause.value_or("none"), HasSubstr(shift_words(x, y))) << seed << said(v);
+    }
+    Drawn drawn(400);
+    const Validation half = judged(drawn.scene(), rendered(drawn.scene(), -0.5, 0.5));
+    EXPECT_THAT(half.cause.value_or("none"), HasSubstr("(--pixel-center 0,1)")) << said(half);
 }
 
 TEST_F(Against, NamesNoCauseWhereThereIsNoFault) {
@@ -334,6 +361,10 @@ TEST_F(Against, SaysWhichObjectsDiffer) {
     const Validation v = judged(drawn.scene(), rendered(other));
     EXPECT_EQ(v.verdict, Verdict::differs);
     EXPECT_THAT(said(v), HasSubstr("of them show object 3"));
+    EXPECT_THAT(said(v), HasSubstr("is not decidable from a picture"));
+    const std::string json = validations_to_json({v}, "");
+    EXPECT_THAT(json, HasSubstr("not_decidable_from_a_picture"));
+    EXPECT_THAT(json, Not(HasSubstr("\"coincident\"")));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include "model/diagnostic.h"
 #include "reference/pov/export.h"
 #include "reference/povray/runner.h"
-#include "tests/bench/accuracy/tachyon.h"
 #include "tests/quad/renderer.h"
+#include "tests/reference/tachyon/tachyon.h"
 #include "tracer/render.h"
 
 namespace lancer::bench {
@@ -216,7 +216,7 @@ Measurement measure(const std::vector<Row>& rows,
         }
         say("Tachyon: " + rows[i].name);
         course = run(rows[i], truths[i], [&](const Scene& scene) {
-            return Shot{run_tachyon(tachyon, scene), "Tachyon failed"};
+            return Shot{tachyon_picture(tachyon, scene), "Tachyon failed"};
         });
     }
     return result;
