@@ -60,8 +60,9 @@ void add_against_options(CLI::App& app, AgainstOptions& options) {
                options.reading.encoding = parse_encoding(text);
                options.reading_is_given = true;
            },
-           "auto (what the file says; default), linear, srgb, or a gamma such as 2.2")
-        ->type_name("CURVE")
+           "What its numbers are: auto (what the file says; default), linear, srgb, or a gamma "
+           "such as 2.2")
+        ->type_name("auto|linear|srgb|GAMMA")
         ->group(group);
     app.add_option_function<std::string>(
            "--exposure",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -170,6 +171,26 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
             target = value;
         },
         help);
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::vector<std::string> words,
+                        const std::string& noun, std::function<void(std::size_t)> take,
+                        const std::string& help) {
+    const std::string value = fmt::format("{}", fmt::join(words, "|"));
+    return app
+        .add_option_function<std::string>(
+            name,
+            [words = std::move(words), noun, take = std::move(take)](const std::string& text) {
+                const auto found = std::ranges::find(words, text);
+                if (found == words.end()) {
+                    throw UsageError(fmt::format("'{}' is no {}: expected {} or {}", text, noun,
+                                                 fmt::join(words.begin(), words.end() - 1, ", "),
+                                                 words.back()));
+                }
+                take(static_cast<std::size_t>(found - words.begin()));
+            },
+            help)
+        ->type_name(value);
 }
 
 }  // namespace lancer::cli

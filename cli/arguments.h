@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tracer/render.h"
 
@@ -65,5 +67,11 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
                               std::optional<std::int64_t>& target, std::int64_t least,
                               std::int64_t most, const std::string& help);
+
+/// An option that takes one of `words`, and calls `take` with its index. Help and completions name
+/// them, and so does the error about another word: `'fin' is no NOUN: expected draft or fine`.
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::vector<std::string> words,
+                        const std::string& noun, std::function<void(std::size_t)> take,
+                        const std::string& help);
 
 }  // namespace lancer::cli

@@ -51,6 +51,9 @@ void add_check(CLI::App& app, Action& action) {
         ->type_name("");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes and warnings");
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer check *.lancer");
     command.callback(
         [&action, job] { action = [job](Session& session) { return check_all(*job, session); }; });
 }

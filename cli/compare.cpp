@@ -190,6 +190,10 @@ void add_compare(CLI::App& app, Action& action) {
         ->type_name("DIR");
     add_picture_options(command);
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
+    command.footer(
+        "Examples:"
+        "\n  lancer compare a.png b.png -o differences.png --fail 0.004"
+        "\n  lancer compare before after --report differences");
     command.callback(
         [&action, job] { action = [job](Session& session) { return compare(*job, session); }; });
 }

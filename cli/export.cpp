@@ -154,6 +154,9 @@ void add_export(CLI::App& app, Action& action) {
                      "Replace files that export did not write, or that were changed since");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes");
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer export scene.lancer -o scene.pov");
     command.callback([&action, job] {
         action = [job](Session& session) { return export_scene(*job, session); };
     });

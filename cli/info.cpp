@@ -163,6 +163,9 @@ void add_info(CLI::App& app, Action& action) {
         ->type_name("");
     command.add_flag("--json", job->json, "As JSON");
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer info scene.lancer");
     command.callback(
         [&action, job] { action = [job](Session& session) { return info(*job, session); }; });
 }

@@ -178,6 +178,11 @@ void add_join(CLI::App& app, Action& action) {
         ->type_name("OUT");
     add_encoding_options(command, job->image);
     command.add_flag("-q,--quiet", job->quiet, "No progress bar and no closing line");
+    command.footer(
+        "Examples:"
+        "\n  lancer render scene.lancer --part 1/2"
+        "\n  lancer render scene.lancer --part 2/2"
+        "\n  lancer join scene-part-*-of-2.exr -o scene.png");
     command.callback(
         [&action, job] { action = [job](Session& session) { return run(*job, session); }; });
 }

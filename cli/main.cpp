@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "cli/commands.h"
+#include "cli/command_line.h"
 #include "cli/guarded.h"
 #include "cli/interrupt.h"
 #include "cli/session.h"
@@ -80,25 +80,9 @@ std::string unexpected_argument(const CLI::App& app, const std::string& otherwis
 }
 
 ExitCode parse_and_run(int argc, char** argv, Session& session) {
-    CLI::App app("Lancer: a small scene language and the ray tracer that renders it", "lancer");
-    app.require_subcommand(1);
-    app.get_formatter()->column_width(30);
-    app.set_version_flag("--version", "lancer " LANCER_VERSION);
-
+    CLI::App app;
     Action action;
-    add_render(app, action);
-    add_join(app, action);
-    add_check(app, action);
-    add_info(app, action);
-    add_export(app, action);
-    add_compare(app, action);
-    add_pack(app, action);
-    add_validate(app, action);
-    add_stability(app, action);
-    add_tradeoff(app, action);
-    add_probe(app, action);
-    for (CLI::App* command : app.get_subcommands({}))
-        command->set_version_flag("--version", "lancer " LANCER_VERSION);
+    set_up_command_line(app, action);
     refuse_unknown_command(app, argc, argv);
     try {
         app.parse(argc, argv);

@@ -165,6 +165,9 @@ void add_pack(CLI::App& app, Action& action) {
         ->type_name("N");
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer pack scene.lancer -o pack");
     command.callback([&action, job] {
         action = [job](Session& session) { return Packer(*job, session).run(); };
     });

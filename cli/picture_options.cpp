@@ -43,8 +43,8 @@ void add_encoding_options(CLI::App& app, io::ImageWriteOptions& image) {
                if (text != "8" && text != "16") throw UsageError("--bits must be 8 or 16");
                image.bits = text == "8" ? 8 : 16;
            },
-           "Bits per channel of PNG, TIFF and PPM: 8 (default) or 16")
-        ->type_name("N")
+           "Bits per channel of PNG, TIFF and PPM; 8 by default")
+        ->type_name("8|16")
         ->group(group);
     app.add_flag("--linear", image.linear, "Linear values instead of the sRGB curve")->group(group);
 }

@@ -189,6 +189,9 @@ void add_probe(CLI::App& app, Action& action) {
         ->type_name("K");
     add_settings_options(command, job->settings);
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer probe scene.lancer 120,60");
     command.callback(
         [&action, job] { action = [job](Session& session) { return probe(*job, session); }; });
 }

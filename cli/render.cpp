@@ -1,6 +1,10 @@
 // lancer render
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/picture_options.h"
@@ -76,13 +80,19 @@ void add_view_options(CLI::App& app, RenderJob& job) {
         ->group(group);
 }
 
-Level parse_level(const std::string& text) {
-    for (const Level level : {Level::scalar, Level::avx2, Level::avx512}) {
-        if (text != name_of(level)) continue;
-        if (is_supported(level)) return level;
-        throw UsageError("--level: this processor has no " + text);
-    }
-    throw UsageError("'" + text + "' is no level: expected scalar, avx2 or avx512");
+void add_level_option(CLI::App& app, RenderJob& job) {
+    static constexpr std::array levels{Level::scalar, Level::avx2, Level::avx512};
+    std::vector<std::string> names;
+    for (const Level level : levels) names.emplace_back(name_of(level));
+    add_choice(
+        app, "--level", std::move(names), "level",
+        [&job](std::size_t i) {
+            if (!is_supported(levels[i]))
+                throw UsageError(std::string("--level: this processor has no ") +
+                                 name_of(levels[i]));
+            job.level = levels[i];
+        },
+        "Rays side by side; the fastest by default. The picture is the same");
 }
 
 void add_error_options(CLI::App& app, RenderJob& job) {
@@ -121,16 +131,16 @@ void add_render(CLI::App& app, Action& action) {
     add_output_options(command, *job);
     add_view_options(command, *job);
     add_settings_options(command, job->settings);
-    command
-        .add_option_function<std::string>(
-            "--level",
-            [job = job.get()](const std::string& text) { job->level = parse_level(text); },
-            "Rays side by side: scalar, avx2 or avx512; the fastest by default. The picture is the "
-            "same")
-        ->type_name("NAME");
+    add_level_option(command, *job);
     add_error_options(command, *job);
     add_part_options(command, *job);
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer render scene.lancer"
+        "\n  lancer render scene.lancer -o picture.exr --size 1280x960 --samples 3"
+        "\n  lancer render scene.lancer -o frame-%04d.png --frames 1..48 --loop"
+        "\n  lancer render scene.lancer --max-error 0.004");
     command.callback(
         [&action, job] { action = [job](Session& session) { return run(*job, session); }; });
 }

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "cli/arguments.h"
-#include "cli/session.h"
 #include "model/precision_names.h"
 
 namespace lancer::cli {
@@ -16,21 +15,12 @@ constexpr std::int64_t most_threads = 1024;
 constexpr std::int64_t deepest = 1000;
 constexpr std::int64_t most_samples = 1000;  // per axis
 
-Precision parse_precision(const std::string& text) {
-    for (const Precision precision : all_precisions)
-        if (text == name_of(precision)) return precision;
-    throw UsageError("'" + text + "' is no precision: expected single, double or extended");
-}
-
-Sampling parse_sampling(const std::string& text) {
-    if (text == "grid") return Sampling::grid;
-    if (text == "sobol") return Sampling::sobol;
-    throw UsageError("'" + text + "' is no way of sampling: expected grid or sobol");
-}
-
-Quality parse_quality(const std::string& text) {
-    if (const std::optional<Quality> quality = quality_called(text)) return *quality;
-    throw UsageError("'" + text + "' is no quality: expected draft, normal, fine or exact");
+/// The names of `values`, in their order.
+template <class Values>
+std::vector<std::string> names_of(const Values& values) {
+    std::vector<std::string> names;
+    for (const auto value : values) names.emplace_back(name_of(value));
+    return names;
 }
 
 }  // namespace
@@ -57,11 +47,10 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
     add_whole_number(app, "--threads", options.threads, 1, most_threads,
                      "Threads; as many as the machine has by default. The picture is the same")
         ->type_name("N");
-    app.add_option_function<std::string>(
-           "--quality",
-           [&options](const std::string& text) { options.quality = parse_quality(text); },
-           "draft, normal, fine or exact: samples, depth and contribution at once")
-        ->type_name("NAME")
+    add_choice(
+        app, "--quality", names_of(all_qualities), "quality",
+        [&options](std::size_t i) { options.quality = all_qualities[i]; },
+        "Samples, depth and contribution at once")
         ->group(group);
     add_whole_number(app, "--max-depth", options.max_depth, 1, deepest,
                      "Levels of recursion; 1: primary rays only")
@@ -76,11 +65,10 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
                      "N x N rays per pixel; 1: through its centre")
         ->type_name("N")
         ->group(group);
-    app.add_option_function<std::string>(
-           "--sampling",
-           [&options](const std::string& text) { options.sampling = parse_sampling(text); },
-           "Where those rays go: a regular grid (default), or sobol points, of which fewer do")
-        ->type_name("WAY")
+    add_choice(
+        app, "--sampling", {"grid", "sobol"}, "way of sampling",
+        [&options](std::size_t i) { options.sampling = i == 0 ? Sampling::grid : Sampling::sobol; },
+        "Where those rays go: a regular grid (default), or sobol points, of which fewer do")
         ->group(group);
     add_whole_number(app, "--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max(),
                      "Other sobol points; 0 by default")
@@ -91,11 +79,10 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
                "Largest distance of a tessellated surface from the true one")
         ->type_name("X")
         ->group(group);
-    app.add_option_function<std::string>(
-           "--precision",
-           [&options](const std::string& text) { options.precision = parse_precision(text); },
-           "Number type of geometry and shading: single, double (default) or extended")
-        ->type_name("TYPE")
+    add_choice(
+        app, "--precision", names_of(all_precisions), "precision",
+        [&options](std::size_t i) { options.precision = all_precisions[i]; },
+        "Number type of geometry and shading; double by default")
         ->group(group);
     app.add_flag("--no-shadows", options.no_shadows, "Lights shine through everything")
         ->group(group);

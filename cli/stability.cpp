@@ -298,6 +298,9 @@ void add_stability(CLI::App& app, Action& action) {
     command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
     add_settings_options(command, job->settings);
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer stability scene.lancer --require scale=1e-6..1e6");
     command.callback(
         [&action, job] { action = [job](Session& session) { return stability(*job, session); }; });
 }

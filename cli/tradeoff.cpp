@@ -208,6 +208,9 @@ void add_tradeoff(CLI::App& app, Action& action) {
     command.add_flag("--no-cache", job->no_cache, "Make the truth anew, and do not keep it");
     command.add_flag("-q,--quiet", job->quiet, "No table");
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer tradeoff scene.lancer --report costs");
     command.callback(
         [&action, job] { action = [job](Session& session) { return tradeoff(*job, session); }; });
 }

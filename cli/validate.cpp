@@ -321,6 +321,10 @@ void add_validate(CLI::App& app, Action& action) {
     command.add_flag("-q,--quiet", job->quiet, "No table");
     add_against_options(command, job->against);
     add_scene_options(command, job->scene_options);
+    command.footer(
+        "Examples:"
+        "\n  lancer validate scene.lancer --report differences"
+        "\n  lancer validate scene.lancer --against other.exr");
     command.callback(
         [&action, job] { action = [job](Session& session) { return validate(*job, session); }; });
 }

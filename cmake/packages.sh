@@ -8,10 +8,14 @@ packages_to_build=(
     libopenimageio-dev openimageio-tools libtiff-dev libjpeg-dev libseccomp-dev libtinyobjloader-dev
     nlohmann-json3-dev libcli11-dev libboost-dev
 )
+packages_to_release=(
+    git dpkg-dev file
+)
 packages_to_test=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev
     povray tachyon clang-format-14 python3 chromium chromium-driver
     slurmctld slurmd slurm-client munge make parallel
+    "${packages_to_release[@]}" lintian man-db zsh fish
 )
 packages_to_test_all=(
     clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14

@@ -16,12 +16,6 @@ std::string_view name_of(Quality quality) {
     return "";
 }
 
-std::optional<Quality> quality_called(std::string_view name) {
-    for (const Quality quality : all_qualities)
-        if (name_of(quality) == name) return quality;
-    return std::nullopt;
-}
-
 const QualityValues& values_of(Quality quality) {
     static constexpr QualityValues draft{1, Sampling::grid, 8, 0.03};
     static constexpr QualityValues normal{3, Sampling::sobol, 16, 0.01};

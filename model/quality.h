@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include "model/settings.h"
@@ -15,7 +14,6 @@ enum class Quality : std::uint8_t { draft, normal, fine, exact };
 inline constexpr std::array all_qualities{Quality::draft, Quality::normal, Quality::fine,
                                           Quality::exact};
 std::string_view name_of(Quality quality);
-std::optional<Quality> quality_called(std::string_view name);
 
 /// What a quality decides; all else stays as it is.
 struct QualityValues {

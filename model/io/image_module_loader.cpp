@@ -10,13 +10,14 @@
 namespace lancer::io {
 namespace {
 
-/// Where the module may be: next to the program, in the build, or as installed.
+/// Where the module may be: as installed (LANCER_MODULE_FOLDER is from the program's folder), in
+/// the build, or next to the program.
 std::vector<std::filesystem::path> candidates() {
     const std::string name = "lancer_images.so";
     std::error_code error;
     const std::filesystem::path folder =
         std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    return {folder / "../lib" / name, folder / "../lib/lancer" / name, folder / name};
+    return {folder / LANCER_MODULE_FOLDER / name, folder / "../lib" / name, folder / name};
 }
 
 const ImageModule& load() {
@@ -32,7 +33,8 @@ const ImageModule& load() {
         reason = dlerror();
     }
     if (reason.empty()) {
-        reason = candidates().front().lexically_normal().string() + " is missing";
+        reason = candidates().front().lexically_normal().string() +
+                 " is missing (Debian: apt-get install lancer-pictures)";
     }
     throw FileError(fmt::format(
         "only PNG and PPM pictures can be read and written: the module for others cannot be "

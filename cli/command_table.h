@@ -1,0 +1,54 @@
+// What the command line takes, as plain data read from the tables that `--help` shows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lancer::cli {
+
+/// What a value is, as far as a shell can help to write it.
+enum class ValueKind : std::uint8_t {
+    free,    ///< a number, a name: nothing to offer
+    words,   ///< `OptionRow::words`
+    file,    ///< any file
+    scene,   ///< a file called *.lancer
+    folder,  ///< a folder
+};
+
+struct OptionRow {
+    std::vector<std::string> names;  ///< `-o`, `--output`
+    std::string value;               ///< as help calls it, `OUT`; empty: the option takes none
+    ValueKind kind = ValueKind::free;
+    std::vector<std::string> words;  ///< that the value may be
+    std::string meaning;
+    std::string group;
+    bool is_required = false;
+    bool may_repeat = false;
+};
+
+struct ArgumentRow {
+    std::string name;
+    ValueKind kind = ValueKind::free;
+    std::string meaning;
+    bool may_repeat = false;
+};
+
+struct CommandRow {
+    std::string name;
+    std::string meaning;
+    std::vector<ArgumentRow> arguments;  ///< all are required
+    std::vector<OptionRow> options;      ///< group by group, in the order of help
+    std::vector<std::string> examples;
+};
+
+struct CommandTable {
+    std::string version;
+    std::string meaning;
+    std::vector<OptionRow> options;  ///< without a command
+    std::vector<CommandRow> commands;
+};
+
+CommandTable command_table();
+
+}  // namespace lancer::cli

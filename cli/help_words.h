@@ -1,0 +1,21 @@
+// What help and manual pages say of all commands alike.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lancer::cli {
+
+struct HelpWord {
+    std::string_view word;
+    std::string_view meaning;
+};
+
+std::span<const HelpWord> exit_code_words();
+std::span<const HelpWord> environment_words();
+
+/// As they stand below `lancer --help`.
+std::string general_help();
+
+}  // namespace lancer::cli

@@ -1,0 +1,38 @@
+#include "cli/pages/roff.h"
+
+namespace lancer::cli {
+
+std::string roff(std::string_view text) {
+    std::string result;
+    // A line that begins with one of these would be a request.
+    if (text.starts_with('.') || text.starts_with('\'')) result = "\\&";
+    bool bold = false;
+    for (const char c : text) {
+        switch (c) {
+            case '\\':
+                result += "\\e";
+                break;
+            case '-':
+                result += "\\-";
+                break;
+            case '\'':
+                result += "\\(aq";
+                break;
+            case '^':
+                result += "\\(ha";
+                break;
+            case '~':
+                result += "\\(ti";
+                break;
+            case '`':
+                bold = !bold;
+                result += bold ? "\\fB" : "\\fR";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+}  // namespace lancer::cli
