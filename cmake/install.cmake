@@ -1,17 +1,14 @@
 # What `cmake --install` puts where. Everything is found from the program's own place, so that the whole can be
 # moved. Two components: `lancer`, and `pictures` with what needs OpenImageIO.
 include(GNUInstallDirs)
-# Two folders below lib: for libraries one folder below it cpack would have Debian's packages call ldconfig.
-set(LANCER_MODULE_DIR ${CMAKE_INSTALL_LIBDIR}/lancer/modules)
+set(LANCER_MODULE_DIR ${CMAKE_INSTALL_LIBDIR}/lancer)
 
-# From the program to the folder of its picture module, and to the one above, for libraries that an archive brings
-# (./release).
+# From the program to the folder of its picture module. Libraries that an archive brings lie there, too (./release).
 file(RELATIVE_PATH module_folder /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${LANCER_MODULE_DIR})
-file(RELATIVE_PATH library_folder /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR}/lancer)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/model/io/image_module_loader.cpp TARGET_DIRECTORY lancer_io
     PROPERTIES COMPILE_DEFINITIONS LANCER_MODULE_FOLDER="${module_folder}")
-set_target_properties(lancer PROPERTIES INSTALL_RPATH "$ORIGIN/${library_folder}")
-set_target_properties(lancer_images PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+set_target_properties(lancer PROPERTIES INSTALL_RPATH "$ORIGIN/${module_folder}")
+set_target_properties(lancer_images PROPERTIES INSTALL_RPATH "$ORIGIN")
 
 install(TARGETS lancer RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT lancer)
 install(TARGETS lancer_images LIBRARY DESTINATION ${LANCER_MODULE_DIR} COMPONENT pictures)

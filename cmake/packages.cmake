@@ -17,9 +17,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_COMPRESSION_TYPE gzip)   # xz takes eight times as long, for a fifth of the size
 
 set(CPACK_DEBIAN_LANCER_PACKAGE_NAME lancer)
 set(CPACK_DEBIAN_LANCER_PACKAGE_RECOMMENDS lancer-pictures)
@@ -35,12 +34,12 @@ This package reads and writes PNG and PPM. For EXR, Radiance, TIFF and
 JPEG it takes the package lancer-pictures.")
 
 set(CPACK_DEBIAN_PICTURES_PACKAGE_NAME lancer-pictures)
-set(CPACK_DEBIAN_PICTURES_PACKAGE_DEPENDS "lancer (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_COMPONENT_PICTURES_DESCRIPTION
 "EXR, Radiance, TIFF and JPEG for the ray tracer Lancer
 Lancer renders scenes that are written as text to pictures. This package
 has it read and write pictures other than PNG and PPM, by OpenImageIO,
 libtiff and libjpeg, which run in a process of their own.")
 
+# Which also finds out what the packages depend on.
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_layout.cmake)
 include(CPack)

@@ -9,7 +9,7 @@ packages_to_build=(
     nlohmann-json3-dev libcli11-dev libboost-dev
 )
 packages_to_release=(
-    git dpkg-dev file
+    git dpkg-dev
 )
 packages_to_test=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev

@@ -76,13 +76,28 @@ def copy_files(root, packages):
     spared = tuple(f"/usr/share/{folder}/" for folder in ("doc", "info", "locale", "man"))
     names = sorted({name for name in names
                     if os.path.lexists(name) and name != "/." and not name.startswith(spared)})
+    # Large files are libraries, which nobody writes into: a second name for each will do, where the folder allows it.
+    copied = [name for name in names if not link_large(name, root + name)]
     pack = subprocess.Popen(["tar", "-C", "/", "--no-recursion", "-cf", "-", "-T", "-"], stdin=subprocess.PIPE,
                             stdout=subprocess.PIPE)
     unpack = subprocess.Popen(["tar", "-C", root, "--keep-directory-symlink", "-xpf", "-"], stdin=pack.stdout)
-    pack.stdin.write("".join("." + name + "\n" for name in names).encode())
+    pack.stdin.write("".join("." + name + "\n" for name in copied).encode())
     pack.stdin.close()
     if pack.wait() or unpack.wait():
         sys.exit("clean_root.py: copying failed")
+
+
+def link_large(name, other_name):
+    if not name.startswith(("/usr/lib/", "/lib/")) or os.path.islink(name) or not os.path.isfile(name):
+        return False
+    if os.path.getsize(name) < 100_000:
+        return False
+    try:
+        os.makedirs(os.path.dirname(other_name), exist_ok=True)
+        os.link(name, other_name)
+    except OSError:
+        return False
+    return True
 
 
 def link_alternatives(root):
