@@ -9,7 +9,8 @@
 namespace lancer::accuracy {
 namespace {
 
-constexpr std::size_t most_pixels = 3;  // that are named
+constexpr std::size_t most_pixels = 3;           // that are named
+constexpr std::uint64_t most_draws = 1'000'000;  // of a part's audit; far more than any takes
 
 /// Goes through all numbers of the sums in one order, to write them or to read them.
 class Writer {
@@ -125,11 +126,15 @@ bool is_sound(const ErrorSums& s) {
           s.printed.sum, s.printed.squares, s.predicted, s.scores, s.specks.error,
           s.specks.squares})
         if (!std::isfinite(number)) return false;
+    for (const std::vector<PixelShare>* list : {&s.specks.pixels, &s.dominant})
+        for (const PixelShare& p : *list)
+            if (!std::isfinite(p.share)) return false;
     if (s.pixels < 1) return false;
     if (s.off) {
         const OffCount& count = s.off->printed;
-        return !s.audited || (count.draws > 0 && count.off <= count.draws &&
-                              count.undecided <= count.draws - count.off);
+        return !s.audited ||
+               (count.draws > 0 && count.draws <= most_draws && count.off <= count.draws &&
+                count.undecided <= count.draws - count.off);
     }
     return !s.audited || s.rare_light || (s.deciding.count >= 2 && s.printed.count >= 2);
 }

@@ -270,11 +270,17 @@ TEST(ErrorSums, TextHasEveryBitAndWhatIsDamagedIsRefused) {
     EXPECT_EQ(error_sums_of(to_text(off))->off->printed.off, 3U);
     off.off->printed.off = 101;
     EXPECT_FALSE(error_sums_of(to_text(off)));
+    off.off->printed = {1'000'000'000'000, 3, 1, {}};
+    EXPECT_FALSE(error_sums_of(to_text(off))) << "would be counted for years";
     EXPECT_FALSE(error_sums_of(""));
     EXPECT_FALSE(error_sums_of(text + " 1"));
     EXPECT_FALSE(error_sums_of(text.substr(0, text.size() / 2)));
     ErrorSums strange = sums;
     strange.scores = HUGE_VAL;
+    EXPECT_FALSE(error_sums_of(to_text(strange)));
+    strange = sums;
+    strange.dominant.resize(1);
+    strange.dominant[0].share = std::nan("");
     EXPECT_FALSE(error_sums_of(to_text(strange)));
     strange = sums;
     strange.printed.count = 0;
