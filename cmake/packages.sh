@@ -18,7 +18,7 @@ packages_to_test=(
     "${packages_to_release[@]}" lintian man-db zsh fish
 )
 packages_to_test_all=(
-    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14
+    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14 lld-14
 )
 
 # install_missing PACKAGE...: asks apt-get for those that are not installed; without any, does nothing
