@@ -50,7 +50,7 @@ double difference(const std::vector<Color>& a, const std::vector<Color>& b) {
 }  // namespace
 
 TraceLimits limits_of_truth(double error) {
-    return {64, error / 100};
+    return {1000, error / 100};
 }
 
 TraceLimits whole_limits(const Truth& truth, const FixedLimits& fixed) {
@@ -78,7 +78,7 @@ TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLim
     if (counted.reflected + counted.transmitted == 0) return best;  // nothing to cut
 
     if (!fixed.max_depth) {
-        for (const int depth : {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48}) {
+        for (const int depth : {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64, 128, 256}) {
             const TraceLimits shallow{depth, best.min_contribution};
             if (difference(colors_at(shallow, rays), right) > mean_square / 2) continue;
             best = shallow;

@@ -115,6 +115,10 @@ void add_error_options(CLI::App& app, RenderJob& job) {
                      "As many passes of --time: the same picture as with so many")
         ->type_name("K")
         ->group(group);
+    app.add_flag("--bound-cut", job.bound_cut,
+                 "Tell how much light the limits of the recursion can have left out; --quality "
+                 "exact does, too")
+        ->group(group);
     app.add_flag("--no-audit", job.error.no_audit,
                  "With one of these: no rays beside those of the picture, and no interval")
         ->group(group);

@@ -27,6 +27,7 @@ void check_error_options(const RenderJob& job) {
         throw UsageError(option + " chooses the samples: leave --samples out");
     if (job.settings.quality)
         throw UsageError(option + " chooses samples and limits: leave --quality out");
+    if (job.bound_cut) throw UsageError("--bound-cut goes with --samples: audits know what is cut");
     if (job.settings.sampling == Sampling::grid)
         throw UsageError(option + " samples at sobol points, not on a grid");
 }
@@ -46,6 +47,7 @@ void check_part_options(const RenderJob& job, const std::string& output) {
     if (job.error.seconds)
         throw UsageError("--part goes with no --time: each part would get passes of its own");
     if (job.frames) return;
+    if (job.bound_cut) throw UsageError("--bound-cut goes with a whole picture, not with --part");
     if (job.error.passes)
         throw UsageError("--part goes with no --passes: each looks at the whole picture");
     if (job.image.bits != 8 || job.image.linear)

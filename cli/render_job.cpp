@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/cut_words.h"
 #include "cli/output_names.h"
 #include "cli/part_job.h"
 #include "cli/progress.h"
@@ -96,6 +97,8 @@ class Rendering {
             if (statistics_.error)
                 session_.output.say(fmt::format("{}{}\n", is_part() ? "this part: " : "",
                                                 error_line(*statistics_.error)));
+            if (statistics_.cut)
+                session_.output.say(cut_line(*statistics_.cut, statistics_.cut_limits) + "\n");
             if (late_)
                 session_.output.say(
                     "the time was too short: the least that makes a picture took longer\n");
@@ -149,6 +152,12 @@ class Rendering {
         RayCounts rays;
         Image image = renderer->render(view, shown(), rays);
         count(scene, *renderer, watch.seconds(), rays);
+        if (job_.bound_cut || job_.settings.quality == Quality::exact) {
+            const TraceLimits limits{scene.settings.max_depth, scene.settings.min_contribution};
+            const auto points = [&](int x, int y) { return renderer->samples(x, y); };
+            statistics_.keep_larger(
+                accuracy::bound_of_cut(*renderer, scene, view, limits, points, shown()), limits);
+        }
         return image;
     }
 

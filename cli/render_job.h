@@ -27,6 +27,7 @@ struct RenderJob {
     bool preview = false;        ///< one ray per pixel, a quarter of the width and of the height
     bool aov = false;
     bool alpha = false;
+    bool bound_cut = false;  ///< tells how much the limits can have left out
     bool quiet = false;
     Level level = best_level();  ///< the fastest that may be used
     std::string

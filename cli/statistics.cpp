@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -13,6 +14,10 @@ double rays_per_second(const Statistics& s) {
     const std::uint64_t rays =
         s.rays.primary + s.rays.shadow + s.rays.reflected + s.rays.transmitted;
     return s.trace > 0 ? static_cast<double>(rays) / s.trace : 0;
+}
+
+nlohmann::ordered_json if_finite(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 nlohmann::ordered_json off_json(const accuracy::OffReport& off, bool audited) {
@@ -74,6 +79,12 @@ void Statistics::keep_worse(const accuracy::ErrorReport& report) {
     if (!error || badness(report) > badness(*error)) error = report;
 }
 
+void Statistics::keep_larger(const accuracy::CutBound& bound, const TraceLimits& limits) {
+    if (cut && bound.largest <= cut->largest) return;
+    cut = bound;
+    cut_limits = limits;
+}
+
 std::uint64_t peak_memory_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -110,6 +121,8 @@ std::string to_json(const Statistics& s) {
           {"textures", s.textures}}},
     };
     if (s.error) json["error"] = error_json(*s.error);
+    if (s.cut)
+        json["cut"] = {{"largest", if_finite(s.cut->largest)}, {"rmse", if_finite(s.cut->rmse)}};
     return json.dump(2) + "\n";
 }
 

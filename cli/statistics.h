@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "accuracy/cut_bound.h"
 #include "accuracy/error_picture.h"
 #include "model/scene.h"
 #include "tracer/render.h"
@@ -29,8 +30,12 @@ struct Statistics {
     std::uint64_t textures = 0;
     std::optional<accuracy::ErrorReport> error;  ///< of the frame that fared worst
 
+    std::optional<accuracy::CutBound> cut;  ///< the largest of any frame
+    TraceLimits cut_limits;                 ///< with which that frame was made
+
     /// Keeps the report unless the one that is there is worse.
     void keep_worse(const accuracy::ErrorReport& report);
+    void keep_larger(const accuracy::CutBound& bound, const TraceLimits& limits);
     void add(const RayCounts& counts);
     void count(const Scene& scene, const WorldCounts& counts);
 };

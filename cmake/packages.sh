@@ -14,11 +14,11 @@ packages_to_release=(
 packages_to_test=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libmpfr-dev
     povray tachyon clang-format-14 python3 chromium chromium-driver
-    slurmctld slurmd slurm-client munge make parallel
+    lld slurmctld slurmd slurm-client munge make parallel
     "${packages_to_release[@]}" lintian man-db zsh fish
 )
 packages_to_test_all=(
-    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14 lld-14
+    clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14
 )
 
 # install_missing PACKAGE...: asks apt-get for those that are not installed; without any, does nothing

@@ -20,7 +20,7 @@ const QualityValues& values_of(Quality quality) {
     static constexpr QualityValues draft{1, Sampling::grid, 8, 0.03};
     static constexpr QualityValues normal{3, Sampling::sobol, 16, 0.01};
     static constexpr QualityValues fine{6, Sampling::sobol, 32, 0.003};
-    static constexpr QualityValues exact{8, Sampling::sobol, 64, 1e-5};
+    static constexpr QualityValues exact{8, Sampling::sobol, 1000, 1e-12};
     switch (quality) {
         case Quality::draft:
             return draft;

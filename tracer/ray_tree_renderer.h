@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "tracer/rays/ray_tree.h"
 #include "tracer/render.h"
@@ -11,10 +10,6 @@ namespace lancer {
 
 class RayTreeRenderer : public Renderer {
   public:
-    /// The points of the pixel at column x, row y of the whole picture that render() sends rays
-    /// through, in the order in which their light is summed.
-    virtual std::vector<PicturePoint> samples(int x, int y) const = 0;
-
     /// All that the ray through the point does, written down by the recursion that makes the
     /// picture: its color has the bits that trace() gives.
     virtual RayTree ray_tree(const View& view, const PicturePoint& at) const = 0;

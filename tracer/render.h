@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "model/image.h"
@@ -89,6 +90,17 @@ class Renderer {
     virtual void trace(const View& view, std::span<const PicturePoint> points,
                        const TraceLimits& limits, std::span<Color> colors, const Progress& progress,
                        RayCounts& counts) const = 0;
+
+    /// What trace() leaves out: shares[i] is the sum over the branches of points[i]'s ray that the
+    /// limits end, by channel, of the product of all factors along the way. No light is computed. A
+    /// branch that was cut would bring at most that share of the light that it would have met.
+    virtual void cut_shares(const View& view, std::span<const PicturePoint> points,
+                            const TraceLimits& limits, std::span<Color> shares,
+                            const Progress& progress) const = 0;
+
+    /// The points of the pixel at column x, row y of the whole picture that render() sends rays
+    /// through, in the order in which their light is summed.
+    virtual std::vector<PicturePoint> samples(int x, int y) const = 0;
 
     /// One ray through the point (x, y) of the image plane, in pixels: (0.5, 0.5) is the centre of
     /// the first pixel.

@@ -12,6 +12,7 @@
 #include "tracer/povray/recursion.h"
 #include "tracer/ray_tree_renderer.h"
 #include "tracer/rays/camera.h"
+#include "tracer/recursion/cut_tracer.h"
 #include "tracer/recursion/recorded_tracer.h"
 #include "tracer/recursion/whitted.h"
 #include "tracer/samples.h"
@@ -101,6 +102,24 @@ class RendererOf final : public RayTreeRenderer {
             if (overflows(&colors[i].x))
                 refuse_overflow(static_cast<std::int64_t>(points[i].x),
                                 static_cast<std::int64_t>(points[i].y));
+    }
+
+    void cut_shares(const View& view, std::span<const PicturePoint> points,
+                    const TraceLimits& limits, std::span<Color> shares,
+                    const Progress& progress) const override {
+        assert(shares.size() == points.size());
+        constexpr std::size_t stretch = 256;
+        const CameraFrame<Real> camera_frame = camera_frame_of(view);
+        const int stretches = static_cast<int>((points.size() + stretch - 1) / stretch);
+        for_each_task(stretches, world_->settings.threads, progress, [&](auto next_task) {
+            CutTracer<Real> tracer(*world_, limits);
+            for (int index = 0; next_task(index);) {
+                const std::size_t begin = static_cast<std::size_t>(index) * stretch;
+                const std::size_t end = std::min(begin + stretch, points.size());
+                trace_some(points.subspan(begin, end - begin), tracer, camera_frame, view,
+                           shares.subspan(begin, end - begin));
+            }
+        });
     }
 
     Probe probe(const View& view, double x, double y) const override {

@@ -108,10 +108,11 @@ std::string section(const TradeOffReport& r, std::size_t scene, const std::strin
     }
     html += fmt::format(
         "</ul>\n<p class=\"soft\">{}x{} pixels, {} thread{}. Truth: {} rays a pixel, its own error "
-        "about {}{}.</p>\n",
+        "about {}{}; {}.</p>\n",
         r.width(), r.height(), r.threads, r.threads == 1 ? "" : "s", r.truth_points,
         shown(r.truth_error, 2),
-        r.is_truth_rough() ? ", more than a third of the smallest error here" : "");
+        r.is_truth_rough() ? ", more than a third of the smallest error here" : "",
+        truth_cut_words(r));
     html += "<div class=\"plot\"><div>" + scatter_for_page(r, prefix) + legend(r) +
             fmt::format("<p class=\"soft\"><a href=\"{}\">The plot as SVG</a></p></div>",
                         url_of(plot)) +

@@ -51,7 +51,7 @@ struct TurnedScene {
     const Scene& scene;
     Requirements requirements;  ///< with all that can be switched off switched on
     double pixel = 1;           ///< size of a pixel at what the camera looks at, scene units
-    Settings uncut;             ///< the script's, but to 64 levels, in double; nothing small cut
+    Settings uncut;  ///< the script's, but to 1,000 levels, in double; hardly anything cut
 
     bool recurses() const;
     bool has_splines() const { return requirements.needs(Feature::splines); }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "accuracy/cut_bound.h"
 #include "accuracy/error_target.h"
 #include "judge/report/report.h"
 #include "judge/tradeoff/combine.h"
@@ -147,6 +148,11 @@ class TradeOff {
             refine(*renderer, next);
         }
         if (truth_.points() > cached) write_truth(options_.cache, key, truth_);
+        if (turned_.recurses())
+            report_.truth_cut =
+                accuracy::bound_of_cut(*renderer, surfaces, view_, limits_,
+                                       [&](int x, int y) { return truth_.first_points(x, y); }, {})
+                    .rmse;
     }
 
     void refine(const Renderer& renderer, std::uint32_t points) {

@@ -56,6 +56,7 @@ struct TradeOffReport {
     TraceLimits truth_limits;
     std::uint32_t truth_points = 0;  ///< a pixel, both halves
     double truth_error = 0;          ///< RMSE
+    double truth_cut = 0;            ///< RMSE, a bound: of what its limits leave out
     bool truth_cached = false;       ///< at least in part
     std::string truth_png;           ///< if pictures were wanted
     double time_noise = 0;           ///< share of a time that the clock cannot tell
@@ -67,6 +68,7 @@ struct TradeOffReport {
     /// The smallest error that is told.
     double least_error() const;
     /// Whether the truth's own error is more than a third of that.
+    bool is_truth_cut_short() const { return 10 * truth_cut > least_error(); }
     bool is_truth_rough() const { return 3 * truth_error > least_error(); }
 };
 

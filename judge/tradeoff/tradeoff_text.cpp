@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -59,6 +60,7 @@ Json json_of(const TradeOffReport& r) {
               {"truth",
                {{"rays_per_pixel", r.truth_points},
                 {"rmse", r.truth_error},
+                {"cut", std::isfinite(r.truth_cut) ? Json(r.truth_cut) : Json()},
                 {"least_rmse", r.least_error()},
                 {"max_depth", r.truth_limits.max_depth},
                 {"min_contribution", r.truth_limits.min_contribution},
@@ -119,11 +121,19 @@ std::string tradeoff_text(const TradeOffReport& r) {
         100 * r.time_noise);
     out += fmt::format("truth: {} rays a pixel, its own error about {}{}\n", r.truth_points,
                        shown(r.truth_error, 2), r.truth_cached ? ", from the cache" : "");
+    out += truth_cut_words(r) + "\n";
     if (r.is_truth_rough())
         out += "that is more than a third of the smallest error, whose interval is wide\n";
     for (const Advice& a : r.advice) out += sentence(a, r.settings) + "\n";
     for (const LeftOut& l : r.left_out) out += fmt::format("left out: {}: {}\n", l.setting, l.why);
     return out;
+}
+
+std::string truth_cut_words(const TradeOffReport& r) {
+    if (r.truth_cut == 0) return "its limits cut nothing";
+    if (!std::isfinite(r.truth_cut)) return "what its limits cut has no bound";
+    return fmt::format("what its limits cut is an RMSE of {} at most{}", shown(r.truth_cut, 2),
+                       r.is_truth_cut_short() ? ", more than a tenth of the smallest error" : "");
 }
 
 std::string tradeoff_json(const std::vector<TradeOffReport>& reports) {

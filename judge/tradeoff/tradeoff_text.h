@@ -14,6 +14,9 @@ std::string tradeoff_text(const TradeOffReport& report);
 /// Everything. Ends with a line feed. docs/command-line.md has the keys.
 std::string tradeoff_json(const std::vector<TradeOffReport>& reports);
 
+/// How much what the truth's limits leave out can be, as a clause.
+std::string truth_cut_words(const TradeOffReport& report);
+
 /// "0.0031 (0.0030 to 0.0032)" or, where the truth cannot tell it, "below 0.0002".
 std::string error_text(const MeasuredError& error);
 

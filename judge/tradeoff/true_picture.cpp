@@ -74,6 +74,14 @@ void TruePicture::refine(const Renderer& renderer, std::uint32_t points, const P
     points_ = points;
 }
 
+std::vector<PicturePoint> TruePicture::first_points(int x, int y) const {
+    const SobolPoints sequence(pixel_key(seed_, x, y, first_half_stream));
+    std::vector<PicturePoint> points;
+    for (std::uint32_t i = 0; i < std::min(points_, 64U); ++i)
+        points.push_back({x + sequence[i].x, y + sequence[i].y});
+    return points;
+}
+
 Image TruePicture::image() const {
     Image image(part_.width, part_.height);
     for (std::size_t pixel = 0; pixel < pixels(); ++pixel) {

@@ -37,6 +37,9 @@ class TruePicture {
     }
     Color mean(std::size_t pixel) const { return (half(0, pixel) + half(1, pixel)) / 2.0; }
     /// The mean of both halves.
+    /// The first points of the pixel that rays were sent through, 64 at most.
+    std::vector<PicturePoint> first_points(int x, int y) const;
+
     Image image() const;
     /// Root mean square of that mean's own error, over pixels and channels, as the halves tell.
     double error() const;

@@ -19,6 +19,12 @@ class PlainRenderer final : public Renderer {
     Image render(const View& view, const Progress& progress, RayCounts& counts) const override;
     void trace(const View& view, std::span<const PicturePoint> points, const TraceLimits& limits,
                std::span<Color> colors, const Progress& progress, RayCounts& counts) const override;
+    /// A formula cuts nothing that one could know of.
+    void cut_shares(const View&, std::span<const PicturePoint>, const TraceLimits&,
+                    std::span<Color> shares, const Progress&) const override {
+        std::fill(shares.begin(), shares.end(), Color(0));
+    }
+    std::vector<PicturePoint> samples(int x, int y) const override { return {{x + 0.5, y + 0.5}}; }
     Probe probe(const View& view, double x, double y) const override;
     Level level() const override { return Level::scalar; }
     WorldCounts counts() const override { return {}; }

@@ -251,7 +251,7 @@ TEST(TradeOffSettings, AreCombinedWhereThatPromisesSomething) {
     for (const TradeSetting& s : found) labels.push_back(s.label);
     EXPECT_THAT(labels, ElementsAre("sobol 8 x 8, depth 2"));
     EXPECT_EQ(found[0].options,
-              "--sampling sobol --samples 8 --max-depth 2 --min-contribution 1e-5");
+              "--sampling sobol --samples 8 --max-depth 2 --min-contribution 1e-7");
 }
 
 TEST(TradeOffAdvice, IsTheFastestThatIsSurelyBelow) {

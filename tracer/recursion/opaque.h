@@ -34,7 +34,7 @@ bool is_all_opaque(const World<Real>& world) {
 /// Traces rays through one world in which everything is opaque. One object per thread: it counts
 /// what it does.
 ///
-/// \tparam Recorder  Unrecorded, or RayTreeRecorder
+/// \tparam Recorder  Unrecorded, RayTreeRecorder or CutRecorder
 template <class Real, class Recorder = Unrecorded>
 class OpaqueTracer {
   public:
@@ -64,7 +64,7 @@ class OpaqueTracer {
         const NoMedia nowhere;
         lighting_.recorder.start(ray, start.t, nowhere, weight, level);
         if (!is_followed(limits_, weight, level)) {
-            lighting_.recorder.end_at_limit(weight, level);
+            lighting_.recorder.end_at_limit(Vec3<Real>(1), weight, level);
             return Vec3<Real>{};
         }
         Contact<Real> contact = nearest_contact(world_, ray, start, nowhere);

@@ -16,6 +16,8 @@ namespace lancer {
 template <class Real>
 class RayTreeRecorder {
   public:
+    static constexpr bool wants_light = true;
+
     /// Both must outlive it.
     RayTreeRecorder(const World<Real>& world, const TraceLimits& limits, RayTree& tree)
         : world_(&world), limits_(limits), tree_(&tree) {}
@@ -62,8 +64,8 @@ class RayTreeRecorder {
         r.level = level;
     }
 
-    /// is_followed() said no.
-    void end_at_limit(Real weight, int level) {
+    /// is_followed() said no. The colours are the product of all factors since the call began.
+    void end_at_limit(const Vec3<Real>&, Real weight, int level) {
         if (!is_open()) return;
         own().end = level < limits_.max_depth ? RayTree::End::weight : RayTree::End::depth;
         own().end_weight = static_cast<double>(weight);
@@ -77,7 +79,7 @@ class RayTreeRecorder {
     void end_opaque() {
         if (is_open()) own().end = RayTree::End::opaque;
     }
-    void end_after_passes() {
+    void end_after_passes(const Vec3<Real>&) {
         if (is_open()) own().end = RayTree::End::passes;
     }
 

@@ -17,7 +17,7 @@ inline constexpr int max_straight_passes = 1000;
 /// Traces rays through one world of which some lets light through. One object per thread: it counts
 /// what it does.
 ///
-/// \tparam Recorder  Unrecorded, or RayTreeRecorder
+/// \tparam Recorder  Unrecorded, RayTreeRecorder or CutRecorder
 template <class Real, class Recorder = Unrecorded>
 class Whitted {
   public:
@@ -121,7 +121,7 @@ class Whitted {
             weight *= share.weight;
             if (c.ratio == 1) {
                 if (++straight_passes > max_straight_passes) {
-                    lighting_.recorder.end_after_passes();
+                    lighting_.recorder.end_after_passes(through);
                     return;
                 }
                 media = after;
@@ -129,7 +129,7 @@ class Whitted {
                 continue;
             }
             if (!is_followed(limits_, weight, level + 1)) {
-                lighting_.recorder.end_at_limit(weight, level + 1);
+                lighting_.recorder.end_at_limit(through, weight, level + 1);
                 return;
             }
             ++(c.total ? counts.reflected : counts.transmitted);
@@ -144,7 +144,7 @@ class Whitted {
             ++level;
             lighting_.recorder.start(ray, start.t, media, weight, level);
         }
-        lighting_.recorder.end_at_limit(weight, level);
+        lighting_.recorder.end_at_limit(through, weight, level);
     }
 
     /// What is around a ray that leaves a surface. Where it is follows from the geometric normal;

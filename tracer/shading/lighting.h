@@ -74,6 +74,7 @@ class Lighting {
     [[no_unique_address]] Recorder recorder;
 
     Vec3<Real> local_color(const Surface<Real>& s, const Crossed<Real, Around>& c) {
+        if constexpr (!Recorder::wants_light) return {};
         const Finish<Real>& f = *s.finish;
         Vec3<Real> sum = s.opacity * s.color * (f.ambient * world_.ambient + f.emission);
         const bool glossy = f.phong > 0 || f.blinn > 0;

@@ -6,6 +6,9 @@ namespace lancer {
 /// Stands where RayTreeRecorder may stand (tracer/recursion/ray_tree_recorder.h), which says what
 /// these functions are told. They are empty, so ordinary rendering pays nothing for them.
 struct Unrecorded {
+    /// Whether light is formed; false leaves local_color() out.
+    static constexpr bool wants_light = true;
+
     void begin_camera_ray() const {}
     void begin_mirrored(const auto&...) const {}
     void skip_mirrored(const auto&...) const {}
@@ -15,7 +18,7 @@ struct Unrecorded {
     void end_at_limit(const auto&...) const {}
     void end_in_background(const auto&...) const {}
     void end_opaque() const {}
-    void end_after_passes() const {}
+    void end_after_passes(const auto&...) const {}
     void meet(const auto&...) const {}
     void bend(const auto&...) const {}
     void shade(const auto&...) const {}
