@@ -3,6 +3,7 @@
 
     tests/bench/parts.py LANCER workers [SECONDS]   12 parts of each gallery scene on 4 workers, simulated from the parts'
                                                     own processor times; scaled up to a picture of SECONDS (60)
+    tests/bench/parts.py LANCER counts [WORKERS]    how many times one worker 4 (WORKERS) are with 4 to 48 parts, by rays
     tests/bench/parts.py LANCER errors              rays of parts by an error beside those of the whole
     tests/bench/parts.py LANCER poster [SIDE [png] [exr]]   memory and time of joining SIDE x SIDE pixels (32768)
     tests/bench/parts.py LANCER kills [COUNT]       COUNT kills (100) at random moments over parts, frames and a sweep
@@ -76,6 +77,26 @@ def workers(seconds=60):
             print(f"| {scene.stem} | {whole:.1f} | {sum(parts):.1f} | {max(parts):.2f} | {fixed:.3f} | "
                   f"{whole / makespan(parts, 4):.2f} times one | {times:.2f} times one |", flush=True)
     print(f"\nthe least: {least:.2f} times one worker")
+
+
+def counts(workers=4, seconds=60):
+    """By the rays of each part, which no other load changes: a part of a picture that one worker draws in 60 s takes the
+    fixed cost and its share of the rays. Strips are as high, against the picture, as those of 768 rows, or higher."""
+    numbers = (4, 8, 12, 24, 48)
+    print("| scene | fixed cost, s | " + " | ".join(f"{n} parts" for n in numbers) + " |\n|" + "---|" * (2 + len(numbers)))
+    with tempfile.TemporaryDirectory() as folder:
+        stats = Path(folder) / "s.json"
+        for scene in GALLERY:
+            fixed, row = fixed_cost(scene), []
+            for n in numbers:
+                rays = []
+                for k in range(1, n + 1):
+                    run("render", scene, "-q", "--size", "512x384", "--samples", 1, "--part", f"{k}/{n}", "--stats", stats,
+                        "-o", Path(folder) / "a.exr")
+                    rays.append(sum(json.loads(stats.read_text())["rays"].values()))
+                times = [fixed + (seconds - fixed) * r / sum(rays) for r in rays]
+                row.append(seconds / makespan(times, workers))
+            print(f"| {scene.stem} | {fixed:.3f} | " + " | ".join(f"{t:.2f}" for t in row) + " |", flush=True)
 
 
 def errors():
@@ -255,7 +276,7 @@ if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     LANCER = os.path.abspath(sys.argv[1])
-    what = {"workers": workers, "errors": errors, "poster": poster, "kills": kills}.get(sys.argv[2])
+    what = {"workers": workers, "counts": counts, "errors": errors, "poster": poster, "kills": kills}.get(sys.argv[2])
     if what is None:
         sys.exit(__doc__)
     what(*[int(word) if word.isdigit() else word for word in sys.argv[3:]])
