@@ -2,6 +2,7 @@
 #include "judge/pack/pack.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/scene_loader.h"
 #include "cli/scene_size.h"
+#include "cli/stopwatch.h"
 #include "model/io/file.h"
 
 namespace lancer::cli {
@@ -74,22 +76,37 @@ class Packer {
         check_folder(job_.output);
         session_.files.add_output_in_new_folder(job_.output + "/pack.json", "-o");
         session_.files.add_output_in_new_folder(job_.output + "/README.md", "-o");
+        const Stopwatch watch;
         std::vector<std::string> packed;
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (pack(job_.scenes[i], names[i])) packed.push_back(names[i]);
-        if (packed.empty()) return worst_;
-        write("README.md", judge::pack_readme());
-        write("pack.json", judge::pack_index(packed, LANCER_VERSION));
-        if (!job_.quiet)
-            session_.output.say(fmt::format("wrote {}: {} scene{}, see {}/README.md\n", job_.output,
-                                            packed.size(), packed.size() == 1 ? "" : "s",
-                                            job_.output));
+        std::vector<std::string> left_out;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool is_packed = pack(job_.scenes[i], names[i]);
+            (is_packed ? packed : left_out).push_back(is_packed ? names[i] : job_.scenes[i]);
+        }
+        if (!packed.empty()) {
+            write("README.md", judge::pack_readme());
+            write("pack.json", judge::pack_index(packed, LANCER_VERSION));
+        }
+        if (!job_.quiet) tell(packed.size(), left_out, watch.seconds());
         return worst_;
     }
 
   private:
     void write(const std::string& name, const std::string& bytes) {
         io::write_file(job_.output + "/" + name, bytes);
+        bytes_ += bytes.size();
+    }
+
+    void tell(std::size_t packed, const std::vector<std::string>& left_out, double seconds) {
+        if (packed > 0)
+            session_.output.say(
+                fmt::format("wrote {}: {} scene{}, {:.1f} MB in {:.1f} s, see "
+                            "{}/README.md\n",
+                            job_.output, packed, packed == 1 ? "" : "s",
+                            static_cast<double>(bytes_) / 1e6, seconds, job_.output));
+        if (!left_out.empty() && packed + left_out.size() > 1)
+            session_.output.say(fmt::format("{} of {} scenes left out: {}\n", left_out.size(),
+                                            packed + left_out.size(), fmt::join(left_out, ", ")));
     }
 
     judge::ValidationJob load(const std::string& path, const std::string& name) {
@@ -112,10 +129,7 @@ class Packer {
             const auto probes = static_cast<std::size_t>(
                 job_.probes.value_or(static_cast<std::int64_t>(judge::default_probes)));
             const judge::Pack pack = judge::pack_scene(load(path, name), probes);
-            if (session_.terminal.show(pack.refusals, session_.sources) > 0) {
-                worst_ = std::max(worst_, ExitCode::scene);
-                return false;
-            }
+            session_.terminal.show(pack.warnings, session_.sources);
             for (const judge::PackedFile& file : pack.files)
                 session_.files.add_output_in_new_folder(
                     fmt::format("{}/{}/{}", job_.output, name, file.name), "-o");
@@ -141,6 +155,7 @@ class Packer {
     const PackJob& job_;
     Session& session_;
     ExitCode worst_ = ExitCode::done;
+    std::uintmax_t bytes_ = 0;  ///< written
 };
 
 }  // namespace

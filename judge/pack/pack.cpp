@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "judge/pack/exact_picture.h"
+#include "judge/pack/packed_scene.h"
 #include "judge/pack/pfm.h"
 #include "judge/pack/readme_text.h"
 #include "judge/pack/scene_json.h"
@@ -28,24 +29,16 @@ Json picture_json(PackSink& sink, const Image& image, const char* name, int begi
 
 Pack pack_scene(const ValidationJob& job, std::size_t probes) {
     PackSink sink;
+    Pack pack;
+    const Scene scene = as_packed(*job.scene, pack.warnings);
     Json json;
     json["format"] = format_name;
     json["name"] = job.name;
     json["width"] = job.view.width;
     json["height"] = job.view.height;
-    json.update(scene_json(*job.scene, job.view.camera, sink));
-    const Settings& settings = job.scene->settings;
-    if (!settings.smooth || !settings.textures)
-        sink.refuse({}, fmt::format("'{}' is rendered without its textures or its smooth normals "
-                                    "(render {{ … }}), which a pack cannot say",
-                                    job.path));
-    Pack pack;
-    if (!sink.refusals.empty()) {
-        pack.refusals = std::move(sink.refusals);
-        return pack;
-    }
+    json.update(scene_json(scene, job.view.camera, sink));
     const View view = tracer_view(job.view);
-    const ExactPicture exact = exact_picture(*job.scene, view);
+    const ExactPicture exact = exact_picture(scene, view);
     Json& pictures = json["pictures"];
     pictures["color"] = picture_json(sink, exact.image, "color", 0, 3, exact.color_error);
     pictures["object"] = picture_json(sink, exact.image, "object", 3, 1, 0);
@@ -61,7 +54,7 @@ Pack pack_scene(const ValidationJob& job, std::size_t probes) {
     }
     pack.undecided = undecided.size();
     json["undecided"] = std::move(undecided);
-    json["probes"] = exact_probes(*job.scene, view, exact, probes);
+    json["probes"] = exact_probes(scene, view, exact, probes);
     pack.probes = json["probes"].size();
     pack.files = std::move(sink.files);
     // A scene's names may hold any bytes.

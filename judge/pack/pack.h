@@ -18,15 +18,17 @@ struct PackedFile {
 };
 
 struct Pack {
-    /// What the format has no words for, with places; then there are no files.
-    std::vector<Diagnostic> refusals;
+    /// Where the pack does otherwise than the scene says, with places: surfaces with a tolerance,
+    /// which are true surfaces in a pack.
+    std::vector<Diagnostic> warnings;
     std::vector<PackedFile> files;
     std::size_t undecided = 0;  ///< pixels of which the last digits decide
     std::size_t probes = 0;
 };
 
-/// Packs what `job` shows: one ray through the centre of each pixel, no branch left out. The scene
-/// must have been prepared for that, see prepare_for_validation(). Throws SceneError.
+/// Packs what `job` shows, as render { textures false, smooth false } has it: one ray through the
+/// centre of each pixel, no branch left out. The scene must have been prepared for that, see
+/// prepare_for_validation(). Throws SceneError.
 Pack pack_scene(const ValidationJob& job, std::size_t probes);
 
 /// The page that says what all of it means, in Markdown.

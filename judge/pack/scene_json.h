@@ -20,12 +20,9 @@ inline Json to_json(const Vec2d& v) {
     return {v.x, v.y};
 }
 
-/// Collects the files that a scene's data name, and what has no words.
+/// Collects the files that a scene's data name.
 struct PackSink {
     std::vector<PackedFile> files;
-    std::vector<Diagnostic> refusals;
-
-    void refuse(const SourceSpan& place, const std::string& what);
 };
 
 /// {"kind": "sphere", "center": [...], ...}: docs of each in the pack's README. Meshes become

@@ -74,8 +74,7 @@ std::string obj_text(const Mesh& mesh, bool smooth) {
 
 class ShapeWriter {
   public:
-    ShapeWriter(const Scene& scene, const Object& object, PackSink& sink)
-        : scene_(scene), object_(object), sink_(sink) {}
+    ShapeWriter(const Scene& scene, PackSink& sink) : scene_(scene), sink_(sink) {}
 
     Json operator()(const Sphere& s) const {
         return {{"kind", "sphere"}, {"center", to_json(s.center)}, {"radius", s.radius}};
@@ -121,7 +120,6 @@ class ShapeWriter {
     }
     Json operator()(const PatchRef& p) const {
         const Patch& patch = scene_.patches[p.patch];
-        exact_only(patch.tolerance.has_value());
         return {{"kind", "patch"},
                 {"basis", patch.basis == Patch::Basis::bezier ? "bezier" : "bspline"},
                 {"rows", patch.rows},
@@ -130,14 +128,12 @@ class ShapeWriter {
     }
     Json operator()(const LatheRef& l) const {
         const Lathe& lathe = scene_.lathes[l.lathe];
-        exact_only(lathe.tolerance.has_value());
         return {{"kind", "lathe"},
                 {"spline", name_of(lathe.spline)},
                 {"profile", list_json(lathe.profile)}};
     }
     Json operator()(const PrismRef& p) const {
         const Prism& prism = scene_.prisms[p.prism];
-        exact_only(prism.tolerance.has_value());
         return {{"kind", "prism"},        {"spline", name_of(prism.spline)},
                 {"bottom", prism.bottom}, {"top", prism.top},
                 {"capped", prism.capped}, {"outline", list_json(prism.outline)}};
@@ -166,27 +162,14 @@ class ShapeWriter {
     }
 
   private:
-    void exact_only(bool has_tolerance) const {
-        if (has_tolerance || scene_.settings.tolerance) {
-            sink_.refuse(object_.place,
-                         "this surface has a tolerance, so the picture is of triangles that a pack "
-                         "does not hold: leave out 'tolerance', and its true surface is met");
-        }
-    }
-
     const Scene& scene_;
-    const Object& object_;
     PackSink& sink_;
 };
 
 }  // namespace
 
-void PackSink::refuse(const SourceSpan& place, const std::string& what) {
-    refusals.push_back({Severity::error, place, what, "", {}});
-}
-
 Json shape_json(const Scene& scene, const Object& object, PackSink& sink) {
-    return std::visit(ShapeWriter(scene, object, sink), object.shape);
+    return std::visit(ShapeWriter(scene, sink), object.shape);
 }
 
 }  // namespace lancer::judge

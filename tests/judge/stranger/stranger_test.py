@@ -1,42 +1,70 @@
 """A pack, a ray tracer that knows nothing but the pack, and what Lancer says of its picture: right, and wrong in some ways.
 stranger_test.py LANCER"""
 import json
+import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).parent
-SCENE = """
-image { width 32 height 24 }
-render { max_depth 4 }
-background [0.1, 0.2, 0.35]
-camera main { position [0.5, 2.4, 7] look_at [0, 0.6, 0] fov 40 }
-light point { position [-4, 6, 5] color [0.6, 0.6, 0.5] }
-light point { position [4, 5, 6] color [0.5, 0.5, 0.5] fade_distance 6 fade_power 2 }
-plane { normal [0, 1, 0] offset -0.013 material { color texture { checker [[0.8, 0.8, 0.7], [0.2, 0.3, 0.3]] } } }
-sphere { center [-1.3, 0.8, 0] radius 0.8 material { color [0.8, 0.3, 0.2] phong 0.4 shininess 20 } }
-sphere { center [0.9, 0.7, 0.6] radius 0.7 material { color [0.2, 0.2, 0.3] reflection 0.5 } }
-box { min [-0.4, 0, 1.4] max [0.3, 0.5, 2] material { color [0.3, 0.7, 0.4] } }
-"""
+ROOT = HERE.parents[2]
+SCENE = "tests/judge/stranger/still.lancer"
+SIZE = ["--size", "64x48"]
+
+
+def printed(page):
+    """The commands of a page and what it shows of their output."""
+    for block in re.findall(r"```\n(\$ .*?)```", page, re.DOTALL):
+        for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
+            command, _, output = part.partition("\n")
+            yield command, output
+
+
+def shape(text):
+    """All but the digits, which differ by machine and time."""
+    return [re.sub(r"[0-9]+(\.[0-9]+)?(e[-+][0-9]+)?", "#", " ".join(line.split())) for line in text.splitlines()]
+
+
+def check_page(folder, lancer):
+    """The page's commands print what it says, one after the other."""
+    bin = folder / "bin"
+    bin.mkdir()
+    (bin / "lancer").symlink_to(lancer)
+    (bin / "python3").symlink_to(sys.executable)
+    path = f"{bin}:{os.environ['PATH']}"
+    commands = list(printed((ROOT / "docs/reference-pack.md").read_text()))
+    assert len(commands) >= 5, commands
+    for command, output in commands:
+        done = subprocess.run(["sh", "-c", command], cwd=folder, env={**os.environ, "PATH": path}, capture_output=True, text=True)
+        assert shape(done.stdout + done.stderr) == shape(output), f"{command} prints\n{done.stdout}{done.stderr}"
+
+
+def check_names(scene, readme):
+    """Every name in the data stands in the page that defines them."""
+    for name in re.findall(r'"([a-z_]+)":', json.dumps(scene)):
+        assert re.search(rf"\b{name}\b", readme), f"'{name}' is not defined in the pack's README"
 
 
 def main(lancer):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        (folder / "still.lancer").write_text(SCENE)
+        (folder / "tests").symlink_to(ROOT / "tests")
 
         def run(*arguments, code=0):
             done = subprocess.run([str(a) for a in arguments], cwd=folder, capture_output=True, text=True)
             assert done.returncode == code, f"{arguments}: {done.returncode}\n{done.stdout}{done.stderr}"
             return done.stdout + done.stderr
 
-        run(lancer, "pack", "still.lancer", "-o", "pack")
+        run(lancer, "pack", SCENE, *SIZE, "-o", "pack")
         assert json.loads((folder / "pack/pack.json").read_text())["scenes"] == ["still"]
-        assert "Right-handed" in (folder / "pack/README.md").read_text()
+        readme = (folder / "pack/README.md").read_text()
+        assert "Right-handed" in readme
+        check_names(json.loads((folder / "pack/still/scene.json").read_text()), readme)
         said = run(sys.executable, HERE / "stranger.py", "pack/still", "still.png")
         assert "probes agree" in said and int(said.split()[0]) >= 20, said
-        assert "agrees" in run(lancer, "validate", "still.lancer", "--against", "still.png")
+        assert "agrees" in run(lancer, "validate", SCENE, "--against", "still.png")
 
         # Mistakes that strangers make, and what they are told.
         source = (HERE / "stranger.py").read_text()
@@ -47,15 +75,17 @@ def main(lancer):
             assert source.count(right) == 1, right
             (folder / "wrong.py").write_text(source.replace(right, wrong).replace("assert ", "True or "))
             run(sys.executable, "wrong.py", "pack/still", "wrong.png")
-            said = run(lancer, "validate", "still.lancer", "--against", "wrong.png", code=1)
+            said = run(lancer, "validate", SCENE, "--against", "wrong.png", code=1)
             assert "differs" in said
             assert cause is None or f"likely cause: " in said and cause in said, said
 
+        check_page(folder, lancer)
+
         # A pack is written over a pack, and over nothing else.
-        run(lancer, "pack", "still.lancer", "-o", "pack", "-q")
+        run(lancer, "pack", SCENE, *SIZE, "-o", "pack", "-q")
         (folder / "mine").mkdir()
         (folder / "mine/diary.txt").write_text("dear diary")
-        assert "no pack" in run(lancer, "pack", "still.lancer", "-o", "mine", code=2)
+        assert "no pack" in run(lancer, "pack", SCENE, "-o", "mine", code=2)
 
 
 if __name__ == "__main__":
