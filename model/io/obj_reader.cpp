@@ -40,7 +40,11 @@ class ObjReader {
         }
         if (soup_.normal_corners.empty()) soup_.normals.clear();
         if (soup_.uv_corners.empty()) soup_.uvs.clear();
-        if (!soup_.colors.empty()) soup_.colors.resize(soup_.vertices.size(), Vec3d(1.0));
+        if (!soup_.colors.empty()) {
+            soup_.colors.resize(soup_.vertices.size(), Vec3d(1.0));
+            if (!colorless_.empty() && soup_.bad_colors.empty())
+                soup_.warnings.push_back(colorless_);
+        }
         return std::move(soup_);
     }
 
@@ -79,7 +83,8 @@ class ObjReader {
     }
 
     /// Three numbers more are a colour, in linear light as they stand; one more is a weight.
-    /// Vertices without a colour beside others with one are white.
+    /// Vertices without a colour beside others with one are white, and the first of them is a
+    /// warning.
     void vertex() {
         const Vec3d place = coordinates("a coordinate", soup_.vertices, soup_.bad_vertices);
         std::array<double, 3> more{};
@@ -97,6 +102,9 @@ class ObjReader {
                     static_cast<std::uint32_t>(soup_.colors.size()),
                     scanner_.error("the colour of this vertex is negative or not finite").what());
             soup_.colors.push_back(color);
+        } else if (colorless_.empty()) {
+            colorless_ =
+                scanner_.error("this vertex has no colour, others have one: such are white").what();
         }
         soup_.vertices.push_back(place);
     }
@@ -193,6 +201,7 @@ class ObjReader {
     PolygonSoup soup_;
     std::unordered_map<std::string, std::uint32_t> numbers_;  ///< of materials, by name
     std::uint32_t material_ = none;                           ///< of the faces that come
+    std::string colorless_;  ///< what to say of the first vertex without a colour
 };
 
 }  // namespace

@@ -142,6 +142,9 @@ TEST(Obj, SixNumbersAreAPlaceAndItsColor) {
     const LoadedMesh some = obj("v 0 0 0\nv 1 0 0 0 0 2\nv 0 1 0 7\nf 1 2 3\n");
     EXPECT_THAT(some.mesh.colors, ElementsAre(Vec3d(1.0), Vec3d(0, 0, 2), Vec3d(1.0)))
         << "white beside colours; one number more is a weight";
+    EXPECT_THAT(some.warnings,
+                ElementsAre("t.obj:1: this vertex has no colour, others have one: such are white"));
+    EXPECT_TRUE(all.warnings.empty());
     EXPECT_TRUE(obj(triangle + "f 1 2 3\n").mesh.colors.empty());
     const LoadedMesh wrong = obj("v 0 0 0\nv 1 0 0 0 0 -2\nv 0 1 0\nf 1 2 3\n");
     EXPECT_TRUE(wrong.mesh.colors.empty());

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "judge/validate/validation_text.h"
+#include "model/io/file.h"
 #include "model/io/temporary_file.h"
 #include "model/srgb.h"
 
@@ -331,8 +332,20 @@ TEST_F(Against, RefusesWhatCannotBeJudged) {
     EXPECT_EQ(nan.verdict, Verdict::differs);
     EXPECT_THAT(first(nan), HasSubstr("1 value that is NaN or infinite, the first at (5, 6)"));
 
+    EXPECT_EQ(judged(scene, picture).verdict, Verdict::agrees);  // writes it
     AgainstJob job;
     job.scene.scene = std::make_shared<const Scene>(scene);
+    job.scene.view = {0, 80, 60};
+    job.size_is_given = true;
+    job.picture = folder_.path().string() + "/other.png";  // 64 x 48
+    const Validation sized = validate_against(job);
+    EXPECT_EQ(sized.verdict, Verdict::differs);
+    EXPECT_THAT(first(sized), HasSubstr("has 64 x 48 pixels, and --size says 80 x 60"));
+    job.picture = folder_.path().string() + "/text.png";
+    io::write_file(job.picture, "no picture");
+    const Validation text = validate_against(job);
+    EXPECT_EQ(text.verdict, Verdict::failed);
+    EXPECT_THAT(first(text), HasSubstr("text.png"));
     job.picture = folder_.path().string() + "/nowhere.png";
     EXPECT_EQ(validate_against(job).verdict, Verdict::failed);
     EXPECT_THROW(picture_in_folder(folder_.path().string(), "a/nowhere.lancer"), FileError);
