@@ -39,7 +39,8 @@ def render(lancer, scene, output, options):
 
 
 def error(lancer, picture, truth):
-    found = subprocess.run([lancer, "compare", picture, truth, "--json", "-"], stdout=subprocess.PIPE, check=False)
+    found = subprocess.run([lancer, "compare", picture, truth, "--json", "-"], stdout=subprocess.PIPE,
+                           stderr=subprocess.DEVNULL, check=False)
     return json.loads(found.stdout)["rmse"]
 
 
