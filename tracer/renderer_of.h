@@ -82,18 +82,11 @@ class RendererOf final : public RayTreeRenderer {
                RayCounts& counts) const override {
         assert(colors.size() == points.size());
         assert(limits.max_depth <= world_->settings.max_depth);
-        constexpr std::size_t stretch = 256;
         const CameraFrame<Real> camera_frame = camera_frame_of(view);
-        const int stretches = static_cast<int>((points.size() + stretch - 1) / stretch);
         std::mutex merging;
-        for_each_task(stretches, world_->settings.threads, progress, [&](auto next_task) {
+        trace_all(points, camera_frame, view, colors, progress, [&](auto&& work) {
             with_fastest_tracer(limits, camera_frame, [&](auto& tracer) {
-                for (int index = 0; next_task(index);) {
-                    const std::size_t begin = static_cast<std::size_t>(index) * stretch;
-                    const std::size_t end = std::min(begin + stretch, points.size());
-                    trace_some(points.subspan(begin, end - begin), tracer, camera_frame, view,
-                               colors.subspan(begin, end - begin));
-                }
+                work(tracer);
                 const std::lock_guard lock(merging);
                 counts += tracer.counts();
             });
@@ -108,17 +101,9 @@ class RendererOf final : public RayTreeRenderer {
                     const TraceLimits& limits, std::span<Color> shares,
                     const Progress& progress) const override {
         assert(shares.size() == points.size());
-        constexpr std::size_t stretch = 256;
-        const CameraFrame<Real> camera_frame = camera_frame_of(view);
-        const int stretches = static_cast<int>((points.size() + stretch - 1) / stretch);
-        for_each_task(stretches, world_->settings.threads, progress, [&](auto next_task) {
+        trace_all(points, camera_frame_of(view), view, shares, progress, [&](auto&& work) {
             CutTracer<Real> tracer(*world_, limits);
-            for (int index = 0; next_task(index);) {
-                const std::size_t begin = static_cast<std::size_t>(index) * stretch;
-                const std::size_t end = std::min(begin + stretch, points.size());
-                trace_some(points.subspan(begin, end - begin), tracer, camera_frame, view,
-                           shares.subspan(begin, end - begin));
-            }
+            work(tracer);
         });
     }
 
@@ -351,6 +336,26 @@ class RendererOf final : public RayTreeRenderer {
             double* pixel = image.pixel(x, y);
             for (int c = 0; c < 3 && n > 1; ++c) pixel[c] /= n * n;
             if (view.aov) fill_aov(pixel + 3, camera_frame, view, crop.x + x, crop.y + y);
+        });
+    }
+
+    /// One ray through each of the points. Each thread calls with_tracer(work), which calls
+    /// work(tracer).
+    template <class WithTracer>
+    void trace_all(std::span<const PicturePoint> points, const CameraFrame<Real>& camera_frame,
+                   const View& view, std::span<Color> colors, const Progress& progress,
+                   WithTracer&& with_tracer) const {
+        constexpr std::size_t stretch = 256;
+        const int stretches = static_cast<int>((points.size() + stretch - 1) / stretch);
+        for_each_task(stretches, world_->settings.threads, progress, [&](auto next_task) {
+            with_tracer([&](auto& tracer) {
+                for (int index = 0; next_task(index);) {
+                    const std::size_t begin = static_cast<std::size_t>(index) * stretch;
+                    const std::size_t count = std::min(stretch, points.size() - begin);
+                    trace_some(points.subspan(begin, count), tracer, camera_frame, view,
+                               colors.subspan(begin, count));
+                }
+            });
         });
     }
 
