@@ -1,14 +1,13 @@
 // The renderer for one number type; instantiated in render_*.cpp, so that each compiles alone.
 #pragma once
 
-#include <atomic>
 #include <cassert>
 #include <mutex>
 #include <string>
 
 #include "base/parallel.h"
-#include "model/diagnostic.h"
 #include "tracer/compile/compile.h"
+#include "tracer/overflow.h"
 #include "tracer/povray/recursion.h"
 #include "tracer/ray_tree_renderer.h"
 #include "tracer/rays/camera.h"
@@ -214,26 +213,6 @@ class RendererOf final : public RayTreeRenderer {
             }
         }
         with_tracer(limits, work);
-    }
-
-    /// Light that no number holds becomes infinite, and with a factor of 0 no number at all.
-    static bool overflows(const double* pixel) {
-        return !(std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]));
-    }
-    /// Of the tile's pixels, as its place in the image; the largest number for none.
-    static std::int64_t first_overflow(Image& image, const Crop& tile) {
-        for (int y = tile.y; y < tile.y + tile.height; ++y) {
-            for (int x = tile.x; x < tile.x + tile.width; ++x) {
-                if (overflows(image.pixel(x, y))) return std::int64_t(y) * image.width + x;
-            }
-        }
-        return std::numeric_limits<std::int64_t>::max();
-    }
-    [[noreturn]] static void refuse_overflow(std::int64_t x, std::int64_t y) {
-        throw SceneError({},
-                         "lights and colours are so bright that their product leaves the range of "
-                         "the chosen precision, first at pixel " +
-                             std::to_string(x) + ", " + std::to_string(y));
     }
 
     CameraFrame<Real> camera_frame_of(const View& view) const {
