@@ -48,7 +48,7 @@ class SceneDigest {
     template <class... Kinds>
     void add(const std::variant<Kinds...>& kind) {
         add(kind.index());
-        std::visit([this](const auto& value) { add(value); }, kind);
+        std::visit([this](const auto& value) { this->add(value); }, kind);
     }
     template <class T>
     void add(const std::shared_ptr<const T>& shared) {
