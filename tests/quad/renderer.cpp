@@ -1,12 +1,14 @@
 #include "tests/quad/renderer.h"
 
 #include "tests/quad/quad.h"
+#include "tracer/recursion/cut_tracer_build.h"
 #include "tracer/recursion/recorded_tracer_build.h"
 #include "tracer/renderer_of.h"
 #include "tracer/shapes/bicubic_build.h"
 
 namespace lancer {
 
+template class CutTracer<Quad>;
 template class RecordedTracer<Quad>;
 
 template class BicubicSurface<Quad>;
