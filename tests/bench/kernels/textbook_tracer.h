@@ -56,14 +56,18 @@ template <methods::Contacts Real, class Bodies>
 class IntersectionFilter<Real, Bodies> {
   public:
     IntersectionFilter(const World<Real>&, const Start<Real>& start, const Bodies&)
-        : nearest_(start.t + textbook_epsilon) {}
+        : start_(start), nearest_(start.t + textbook_epsilon) {}
     IntersectionHints hints(std::uint32_t) const { return {}; }
     bool operator()(std::uint32_t, const Crossing<Real>& c) const { return c.t > nearest_; }
     Real met_at(const Crossing<Real>& c) const { return c.t; }
     bool starts_on(std::uint32_t) const { return false; }
     bool lets_pass(std::uint32_t, bool) const { return true; }
+    // Composites ask; the bench has none.
+    const Start<Real>& start() const { return start_; }
+    std::optional<bool> state_of(std::uint32_t) const { return std::nullopt; }
 
   private:
+    const Start<Real>& start_;
     Real nearest_;
 };
 
