@@ -63,7 +63,8 @@ TEST_F(Sweep, PartsOfATradeOffKeepTheTruthsOfTheirScenes) {
     EXPECT_EQ(truths(), 2);
     const Finished last = run("tradeoff", {"--json", "all.json", "--budget", "40", "-q"}, cache);
     ASSERT_EQ(last.code, 0) << last.err;
-    for (const auto& scene : nlohmann::json::parse(place_.read("all.json")).at("scenes"))
+    const nlohmann::json all = nlohmann::json::parse(place_.read("all.json"));
+    for (const auto& scene : all.at("scenes"))
         EXPECT_EQ(scene.at("truth").at("cached"), true);
     EXPECT_EQ(truths(), 2);
 }
