@@ -64,8 +64,7 @@ TEST_F(Sweep, PartsOfATradeOffKeepTheTruthsOfTheirScenes) {
     const Finished last = run("tradeoff", {"--json", "all.json", "--budget", "40", "-q"}, cache);
     ASSERT_EQ(last.code, 0) << last.err;
     const nlohmann::json all = nlohmann::json::parse(place_.read("all.json"));
-    for (const auto& scene : all.at("scenes"))
-        EXPECT_EQ(scene.at("truth").at("cached"), true);
+    for (const auto& scene : all.at("scenes")) EXPECT_EQ(scene.at("truth").at("cached"), true);
     EXPECT_EQ(truths(), 2);
 }
 
