@@ -1,16 +1,15 @@
 #!/usr/bin/env python3
-"""Finds the values of --quality (model/quality.cpp) from measurements, and writes docs/cost-of-accuracy.md.
+"""Measures the presets of --quality in the gallery, for docs/cost-of-accuracy.md, or looks for better ones.
 
-    tests/bench/presets.py [LANCER]        default: build/release/bin/lancer
+    tests/bench/presets.py [--search] [LANCER]        default: build/release/bin/lancer
 
-Every setting of the grid below renders every gallery scene. Each preset has an error that it aims at; its
-values are those of the cheapest setting whose error is no larger, both as geometric means over the scenes.
+With --search every setting of the grid below renders every gallery scene, and for each preset the cheapest
+is printed whose error is no larger than what the preset aims at, both as geometric means over the scenes.
 """
 import itertools
 import json
 import math
 import os
-import resource
 import subprocess
 import sys
 import tempfile
@@ -27,15 +26,16 @@ AIMS = {"draft": 0.036, "normal": 0.01, "fine": 0.0035}
 SAMPLES = [1, 2, 3, 4, 5, 6]
 DEPTHS = [4, 8, 16, 32]
 CONTRIBUTIONS = ["0.03", "0.01", "0.003"]
+EXACT = ("--quality", "exact")
 
 
 def render(lancer, scene, output, options):
-    """Seconds of the processor, all threads together."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    """Seconds of tracing, in one thread."""
+    stats = output + ".json"
     subprocess.run([lancer, "render", os.path.join(ROOT, "scenes", "gallery", scene + ".lancer"), "--quiet", "--size", SIZE,
-                    "-o", output, *options], check=True, stdout=subprocess.DEVNULL)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+                    "--threads", "1", "-o", output, "--stats", stats, *options], check=True, stdout=subprocess.DEVNULL)
+    with open(stats) as file:
+        return json.load(file)["seconds"]["trace"]
 
 
 def error(lancer, picture, truth):
@@ -53,10 +53,8 @@ def mean(values):
     return math.exp(sum(math.log(v) for v in values) / len(values))
 
 
-def measure(lancer, folder):
-    """{setting: [(rmse, seconds) of each scene]}, settings as command line options; `exact` among them."""
-    settings = [tuple(options_of(*s)) for s in itertools.product(SAMPLES, DEPTHS, CONTRIBUTIONS)]
-    settings.append(("--quality", "exact"))
+def measure(lancer, folder, settings):
+    """{setting: [(rmse, seconds) of each scene]}, settings as command line options."""
     found = {setting: [] for setting in settings}
     picture, truth = os.path.join(folder, "picture.exr"), os.path.join(folder, "truth.exr")
     for scene in SCENES:
@@ -69,30 +67,36 @@ def measure(lancer, folder):
     return found
 
 
-def main():
-    lancer = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build/release/bin/lancer"))
-    with tempfile.TemporaryDirectory(prefix="lancer-bench-") as folder:
-        found = measure(lancer, folder)
-    exact = found[("--quality", "exact")]
+def summary(found, setting):
+    """Means over the scenes: RMSE, and time as a share of that of `exact`."""
+    rows = found[setting]
+    return mean([r for r, _ in rows]), mean([s / e for (_, s), (_, e) in zip(rows, found[EXACT])])
 
-    def summary(setting):
-        rows = found[setting]
-        return mean([r for r, _ in rows]), mean([s / e for (_, s), (_, e) in zip(rows, exact)])
 
-    chosen = {}
-    for name, aim in AIMS.items():
-        good = [s for s in found if summary(s)[0] <= aim]
-        chosen[name] = min(good, key=lambda s: summary(s)[1])
-    chosen["exact"] = ("--quality", "exact")
-    lines = ["| scene | " + " | ".join(f"{name}: RMSE | time" for name in chosen) + " |", "|---|" + "---|---|" * len(chosen)]
+def table(found):
+    settings = list(found)
+    lines = ["| scene | " + " | ".join(f"{s[1]}: RMSE | time" for s in settings) + " |", "|---|" + "---|---|" * len(settings)]
     for i, scene in enumerate(SCENES):
-        lines.append(f"| {scene} | " + " | ".join(f"{found[s][i][0]:.2g} | {found[s][i][1]:.2g}" for s in chosen.values()) + " |")
-    means = [summary(s) for s in chosen.values()]
-    lines.append("| mean | " + " | ".join(f"{r:.2g} | 1/{1 / t:.2g}" for r, t in means) + " |")
-    lines += ["", *(f"- `{name}`, cheapest of {len(found) - 1} settings with a mean RMSE of at most {AIMS[name]}: `{' '.join(s)}`"
-                    for name, s in chosen.items() if name in AIMS)]
-    page_part.write(PAGE, "tests/bench/presets.py", "\n".join(lines) + "\n")
-    print("\n".join(lines))
+        lines.append(f"| {scene} | " + " | ".join(f"{found[s][i][0]:.2g} | {found[s][i][1]:.2g}" for s in settings) + " |")
+    means = [summary(found, s) for s in settings]
+    return "\n".join(lines + ["| mean | " + " | ".join(f"{r:.2g} | 1/{1 / t:.2g}" for r, t in means) + " |"]) + "\n"
+
+
+def main():
+    search = "--search" in sys.argv[1:]
+    names = [a for a in sys.argv[1:] if a != "--search"]
+    lancer = os.path.abspath(names[0] if names else os.path.join(ROOT, "build/release/bin/lancer"))
+    with tempfile.TemporaryDirectory(prefix="lancer-bench-") as folder:
+        if not search:
+            text = table(measure(lancer, folder, [("--quality", name) for name in [*AIMS, "exact"]]))
+            page_part.write(PAGE, "tests/bench/presets.py", text)
+            print(text)
+            return
+        grid = [tuple(options_of(*s)) for s in itertools.product(SAMPLES, DEPTHS, CONTRIBUTIONS)]
+        found = measure(lancer, folder, [*grid, EXACT])
+    for name, aim in AIMS.items():
+        best = min((s for s in grid if summary(found, s)[0] <= aim), key=lambda s: summary(found, s)[1])
+        print(f"{name}: {' '.join(best)}, RMSE {summary(found, best)[0]:.2g}, {1 / summary(found, best)[1]:.3g} times as fast as exact")
 
 
 if __name__ == "__main__":
