@@ -16,9 +16,12 @@ double bound(double share, double light) {
 CutBound bound_of_cut(const Renderer& renderer, const Scene& scene, const View& view,
                       const TraceLimits& limits, const PointsOfPixel& points_of,
                       const Progress& progress) {
+    CutBound result;
+    result.limits = limits;
+    // The camera's ray itself has weight 1.
+    if (!has_branches(scene) && limits.min_contribution <= 1) return result;
     const Color light = most_light(scene, surfaces_beyond);
     const Crop part = view.crop.value_or(Crop{0, 0, view.width, view.height});
-    CutBound result;
     double squares = 0;
     std::vector<PicturePoint> points;
     std::vector<Color> shares;

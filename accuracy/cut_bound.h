@@ -24,6 +24,7 @@ inline constexpr int surfaces_beyond = 256;
 struct CutBound {
     double largest = 0;
     double rmse = 0;
+    TraceLimits limits;
 };
 
 /// The points of the pixel at column x, row y of the whole picture, as many in each.

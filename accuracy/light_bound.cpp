@@ -103,22 +103,31 @@ Bounds bounds_of(const Scene& scene, const Material& m) {
     return bounds;
 }
 
-std::vector<bool> used_materials(const Scene& scene) {
+std::vector<Material> used_materials(const Scene& scene) {
     std::vector<bool> used(scene.materials.size(), false);
     for (const Object& object : scene.objects) used[object.material] = true;
     for (const Composite& composite : scene.composites)
         for (const Composite::Leaf& leaf : composite.leaves) used[leaf.object.material] = true;
-    return used;
+    std::vector<Material> materials;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) materials.push_back(scene.materials[i]);
+    return materials;
 }
 
 }  // namespace
 
+bool has_branches(const Scene& scene) {
+    const std::vector<Material> materials = used_materials(scene);
+    return std::any_of(materials.begin(), materials.end(), [&](const Material& m) {
+        return max_component(m.reflection) > 0 || m.filter > 0 || m.transmission > 0 ||
+               (m.texture != none && has_alpha(scene, scene.textures[m.texture]));
+    });
+}
+
 Color most_light(const Scene& scene, int surfaces) {
     const Color behind = scene.sky ? largest_stop(*scene.sky) : scene.background;
-    const std::vector<bool> used = used_materials(scene);
     std::vector<Bounds> materials;
-    for (std::size_t i = 0; i < scene.materials.size(); ++i)
-        if (used[i]) materials.push_back(bounds_of(scene, scene.materials[i]));
+    for (const Material& m : used_materials(scene)) materials.push_back(bounds_of(scene, m));
     Color most = behind;
     for (int surface = 0; surface < surfaces; ++surface) {
         Color next = behind;

@@ -5,6 +5,9 @@
 
 namespace lancer::accuracy {
 
+/// Whether any surface mirrors light or lets it pass. Where none does, rays have no branches.
+bool has_branches(const Scene& scene);
+
 /// A bound, by channel, on what any ray brings whose light is followed through at most `surfaces`
 /// surfaces: to what each sends by itself, it adds what the one behind or before it sends, times
 /// the share that passes or is mirrored. Infinite where that grows beyond all numbers. The terms

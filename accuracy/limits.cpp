@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/quality.h"
 #include "model/sobol.h"
 
 namespace lancer::accuracy {
@@ -50,7 +51,7 @@ double difference(const std::vector<Color>& a, const std::vector<Color>& b) {
 }  // namespace
 
 TraceLimits limits_of_truth(double error) {
-    return {1000, error / 100};
+    return {values_of(Quality::exact).max_depth, error / 100};
 }
 
 TraceLimits whole_limits(const Truth& truth, const FixedLimits& fixed) {

@@ -16,7 +16,7 @@ struct FixedLimits {
 };
 
 /// TraceLimits that cut nothing which an RMSE of `error` could tell: a branch of a hundredth of it,
-/// or after 1,000 mirrors and bends.
+/// or what lies deeper than the quality `exact` goes.
 TraceLimits limits_of_truth(double error);
 
 /// The truth's limits, but for what is fixed: nothing else is cut.

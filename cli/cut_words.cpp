@@ -4,14 +4,18 @@
 
 #include <cmath>
 
+#include "model/quality.h"
+
 namespace lancer::cli {
 
-std::string cut_line(const accuracy::CutBound& cut, const TraceLimits& limits) {
+std::string cut_line(const accuracy::CutBound& cut) {
     constexpr double half_a_step = 0.5 / 65535 / 12.92;
     if (cut.largest == 0) return "nothing was cut";
     if (!std::isfinite(cut.largest))
         return "what was cut has no bound: surfaces send on more light than they get";
-    const bool goes_deeper = limits.max_depth < 1000 || limits.min_contribution > 1e-12;
+    const QualityValues& exact = values_of(Quality::exact);
+    const bool goes_deeper = cut.limits.max_depth < exact.max_depth ||
+                             cut.limits.min_contribution > exact.min_contribution;
     return fmt::format(
         "what was cut changes no pixel by more than {:.2g} (RMSE at most {:.2g}): {}", cut.largest,
         cut.rmse,

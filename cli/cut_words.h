@@ -9,8 +9,6 @@ namespace lancer::cli {
 
 /// One line, and whether a 16-bit picture may show it: half a step of sRGB's dark end, where steps
 /// are smallest, is 6e-7 in linear light.
-///
-/// \param limits  with which the picture was made
-std::string cut_line(const accuracy::CutBound& cut, const TraceLimits& limits);
+std::string cut_line(const accuracy::CutBound& cut);
 
 }  // namespace lancer::cli

@@ -97,8 +97,7 @@ class Rendering {
             if (statistics_.error)
                 session_.output.say(fmt::format("{}{}\n", is_part() ? "this part: " : "",
                                                 error_line(*statistics_.error)));
-            if (statistics_.cut)
-                session_.output.say(cut_line(*statistics_.cut, statistics_.cut_limits) + "\n");
+            if (statistics_.cut) session_.output.say(cut_line(*statistics_.cut) + "\n");
             if (late_)
                 session_.output.say(
                     "the time was too short: the least that makes a picture took longer\n");
@@ -156,7 +155,7 @@ class Rendering {
             const TraceLimits limits{scene.settings.max_depth, scene.settings.min_contribution};
             const auto points = [&](int x, int y) { return renderer->samples(x, y); };
             statistics_.keep_larger(
-                accuracy::bound_of_cut(*renderer, scene, view, limits, points, shown()), limits);
+                accuracy::bound_of_cut(*renderer, scene, view, limits, points, shown()));
         }
         return image;
     }

@@ -79,10 +79,8 @@ void Statistics::keep_worse(const accuracy::ErrorReport& report) {
     if (!error || badness(report) > badness(*error)) error = report;
 }
 
-void Statistics::keep_larger(const accuracy::CutBound& bound, const TraceLimits& limits) {
-    if (cut && bound.largest <= cut->largest) return;
-    cut = bound;
-    cut_limits = limits;
+void Statistics::keep_larger(const accuracy::CutBound& bound) {
+    if (!cut || bound.largest > cut->largest) cut = bound;
 }
 
 std::uint64_t peak_memory_bytes() {

@@ -31,11 +31,10 @@ struct Statistics {
     std::optional<accuracy::ErrorReport> error;  ///< of the frame that fared worst
 
     std::optional<accuracy::CutBound> cut;  ///< the largest of any frame
-    TraceLimits cut_limits;                 ///< with which that frame was made
 
     /// Keeps the report unless the one that is there is worse.
     void keep_worse(const accuracy::ErrorReport& report);
-    void keep_larger(const accuracy::CutBound& bound, const TraceLimits& limits);
+    void keep_larger(const accuracy::CutBound& bound);
     void add(const RayCounts& counts);
     void count(const Scene& scene, const WorldCounts& counts);
 };

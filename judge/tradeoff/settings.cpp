@@ -13,10 +13,9 @@
 namespace lancer::judge {
 namespace {
 
-// Deep and fine enough for a tenth of any error that is measured here, but where mirrors keep light
-// for ever; the report tells the bound (accuracy/cut_bound.h).
+// With the depth of `exact`, fine enough for a tenth of any error that is measured here, but where
+// mirrors keep light for ever; the report tells the bound (accuracy/cut_bound.h).
 constexpr double least_contribution = 1e-7;
-constexpr int deepest = 1000;
 constexpr int base_samples = 3;
 
 /// Size of a pixel at the distance of what the camera looks at.
@@ -90,7 +89,7 @@ bool TurnedScene::recurses() const {
 
 TurnedScene turned(const Scene& scene, const View& view) {
     Settings uncut = scene.settings;
-    uncut.max_depth = std::max(deepest, uncut.max_depth);
+    uncut.max_depth = std::max(values_of(Quality::exact).max_depth, uncut.max_depth);
     uncut.min_contribution = std::min(least_contribution, uncut.min_contribution);
     uncut.precision = Precision::double_;
     const double pixel = pixel_size(scene.cameras[view.camera], view.height);

@@ -148,11 +148,10 @@ class TradeOff {
             refine(*renderer, next);
         }
         if (truth_.points() > cached) write_truth(options_.cache, key, truth_);
-        if (turned_.recurses())
-            report_.truth_cut =
-                accuracy::bound_of_cut(*renderer, surfaces, view_, limits_,
-                                       [&](int x, int y) { return truth_.first_points(x, y); }, {})
-                    .rmse;
+        report_.truth_cut =
+            accuracy::bound_of_cut(*renderer, surfaces, view_, limits_,
+                                   [&](int x, int y) { return truth_.first_points(x, y); }, {})
+                .rmse;
     }
 
     void refine(const Renderer& renderer, std::uint32_t points) {

@@ -98,6 +98,22 @@ TEST(CutShares, AreNotTintedByTotalReflection) {
     EXPECT_EQ(share.y, 1);
 }
 
+TEST(HasBranches, WhereAnythingMirrorsOrLetsPass) {
+    EXPECT_FALSE(has_branches(two_mirrors(0)));
+    EXPECT_TRUE(has_branches(two_mirrors(0.1)));
+    Scene scene = two_mirrors(0);
+    scene.materials[scene.objects[0].material].filter = 0.1;
+    EXPECT_TRUE(has_branches(scene));
+}
+
+TEST(BoundOfCut, IsAllLightWhereTheCamerasRayIsCut) {
+    const Scene scene = two_mirrors(0);
+    const auto renderer = compile(scene, scene.settings);
+    const auto points = [&](int x, int y) { return renderer->samples(x, y); };
+    EXPECT_EQ(bound_of_cut(*renderer, scene, one_pixel, {64, 1}, points, {}).largest, 0);
+    EXPECT_NEAR(bound_of_cut(*renderer, scene, one_pixel, {64, 2}, points, {}).largest, 0.1, 1e-15);
+}
+
 TEST(BoundOfCut, IsShareTimesLightOverThePicture) {
     Scene scene = two_mirrors(0.5);
     scene.settings.max_depth = 4;
