@@ -1,7 +1,7 @@
 // The kernels for eight rays side by side, of each level, as functions that a test can call.
 #pragma once
 
-#include "tracer/wide/scene.h"
+#include "tracer/wide/job.h"
 
 namespace lancer::oracle {
 
@@ -26,6 +26,8 @@ struct WideKernels {
     /// From its surface: the second crossing.
     void (*from_ball)(const wide::Ball& ball, const wide::LaneRay* rays, WideAnswer* out);
     void (*box)(const wide::Box& box, const wide::LaneRay* rays, double limit, WideAnswer* out);
+    void (*frustum)(const wide::Frustum& frustum, const wide::LaneRay* rays, double limit,
+                    WideAnswer* out);
     void (*plane)(const wide::Plane& plane, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
     /// The first triangle of the block. `unsure`: a ray with all four did not find that it may

@@ -54,6 +54,14 @@ inline void box_kernel(const Box& box, const LaneRay* rays, double limit, oracle
     put_answers(hits, out);
     for (int i = 0; i < lanes; ++i) out[i].face = out[i].hit ? hits.face[i] : 0;
 }
+inline void frustum_kernel(const Frustum& frustum, const LaneRay* rays, double limit,
+                           oracle::WideAnswer* out) {
+    NearestHits hits;
+    hits.limit = all(limit);
+    hits.unsure |= frustum_crossings(frustum, 0, rays_of(rays), 255, hits);
+    put_answers(hits, out);
+    for (int i = 0; i < lanes; ++i) out[i].face = out[i].hit ? hits.face[i] : 0;
+}
 inline void plane_kernel(const Plane& plane, const LaneRay* rays, double limit,
                          oracle::WideAnswer* out) {
     NearestHits hits;
@@ -101,8 +109,8 @@ inline void box_shadow_kernel(const Box& box, const LaneRay* rays, double distan
 }
 inline void frustum_shadow_kernel(const Frustum& frustum, const LaneRay* rays, double distance,
                                   oracle::WideAnswer* out) {
-    const FrustumGuess guess(frustum, rays_of(rays), 255, all(distance));
-    put_answers(guess.between, guess.unsettled & ~guess.between, out);
+    const FrustumShadow shadow(frustum, rays_of(rays), 255, all(distance));
+    put_answers(shadow.blocks, shadow.unsure, out);
 }
 inline void plane_shadow_kernel(const Plane& plane, const LaneRay* rays, double distance,
                                 oracle::WideAnswer* out) {
@@ -185,9 +193,9 @@ inline void arc_cosine_kernel(const double* x, double* out) {
 }
 
 inline constexpr oracle::WideKernels kernels{
-    ball_kernel,         from_ball_kernel,   box_kernel,        plane_kernel,
-    triangle_kernel,     ball_shadow_kernel, box_shadow_kernel, frustum_shadow_kernel,
-    plane_shadow_kernel, slabs_kernel,       local_kernel,      surfaces_kernel,
-    bend_kernel,         power_kernel,       arc_cosine_kernel};
+    ball_kernel,           from_ball_kernel,    box_kernel,         frustum_kernel,
+    plane_kernel,          triangle_kernel,     ball_shadow_kernel, box_shadow_kernel,
+    frustum_shadow_kernel, plane_shadow_kernel, slabs_kernel,       local_kernel,
+    surfaces_kernel,       bend_kernel,         power_kernel,       arc_cosine_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -38,7 +38,7 @@ class NoMethods final : public wide::ExactMethods {
     void light_share(const wide::LaneRay&, const wide::LaneStart&, double, double*) override {}
 };
 
-/// Balls, boxes and planes, and meshes in frames, smooth and flat.
+/// Balls, boxes, cylinders, cones and planes, and meshes in frames, smooth and flat.
 Scene shapes(std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     const auto place = [&] {
@@ -47,17 +47,32 @@ Scene shapes(std::mt19937_64& random) {
         return Vec3d(x, y, 4 * unit(random) - 2);
     };
     extremes::Stage s;
-    const std::uint32_t materials[] = {s.matt({0.2, 0.5, 0.7}), s.mirror(), s.matt({1, 0, 0.1})};
+    const auto wears = [&](std::variant<ImageTexture, Checker, Gradient, VertexColors> pattern) {
+        const Affine<double> map = compose(extremes::turn(1, 360 * unit(random)),
+                                           extremes::stretched(0.1 + unit(random), 0.3, 0.5));
+        Material m;
+        m.texture = static_cast<std::uint32_t>(s.scene.textures.size());
+        s.scene.textures.push_back({std::move(pattern), map});
+        return s.material(m);
+    };
+    const double step = 0.2 + unit(random) / 2;
+    const std::uint32_t materials[] = {s.matt({0.2, 0.5, 0.7}), s.mirror(), s.matt({1, 0, 0.1}),
+                                       wears(Checker{{0.1, 0.5, 0.9}, {0.8, 0.7, 0.3}}),
+                                       wears(Gradient{{0.2, 1, 0.5},
+                                                      {{0.1, {1, 0, 0.2}},
+                                                       {step, {0.3, 0.9, 0}},
+                                                       {step, {0, 0.1, 0.2}},
+                                                       {0.9, {0.7, 0.5, 1}}}})};
     s.add(Plane{{0, 1, 0}, -0.3}, materials[0]);
-    s.add(Plane{{unit(random), 1, unit(random)}, -0.5}, materials[1]);
-    for (int i = 0; i < 12; ++i) {
+    s.add(Plane{{unit(random), 1, unit(random)}, -0.5}, materials[3]);
+    for (int i = 0; i < 18; ++i) {
         const double size = 0.1 + 0.5 * unit(random);
-        const std::uint32_t material = materials[random() % 3];
+        const std::uint32_t material = materials[random() % 5];
         const Vec3d p = place();
         const Affine<double> map = compose(
             extremes::shift(place()), compose(extremes::turn(i % 3, 360 * unit(random)),
                                               extremes::stretched(1, 0.5 + unit(random), 0.5)));
-        switch (i % 4) {
+        switch (i % 6) {
             case 0:
                 s.add(Sphere{p, size}, material);
                 break;
@@ -66,6 +81,16 @@ Scene shapes(std::mt19937_64& random) {
                 break;
             case 2:
                 s.add(extremes::icosphere(p, size, 2), material);
+                break;
+            case 3:
+                s.add(Cylinder{p, p + size * (random() % 2 == 0 ? Vec3d(0, 1, 0) : place()),
+                               size / 2, random() % 2 == 0},
+                      material);
+                break;
+            case 4:
+                s.add(Cone{p, p + size * place(), size / 2, random() % 2 == 0 ? 0 : size / 3,
+                           random() % 2 == 0},
+                      material);
                 break;
             default:
                 s.add(extremes::icosphere(Vec3d(0), size, 2), material, map);

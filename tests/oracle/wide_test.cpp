@@ -216,7 +216,7 @@ TEST(OracleWide, Box) {
 
 TEST(OracleWide, CylinderAndCone) {
     on_each_level([](const WideKernels& kernels) {
-        Share shadow;
+        Share nearest, shadow;
         Tally("cylinder and cone, side by side").run([&](Draw& draw) {
             FrustumSolid<double> f;
             f.small_end = draw.direction() * draw.decade(-2, 2);
@@ -227,14 +227,19 @@ TEST(OracleWide, CylinderAndCone) {
             f.radius = draw.number() % 4 == 0 ? 0 : draw.decade(-3, 1);
             f.slope = draw.number() % 2 == 0 ? draw.decade(-3, 2) : (f.radius > 0 ? 0 : 0.5);
             f.capped = draw.number() % 7 != 0;
-            f.filter_error = filter_error_of(f.small_end);
+            f.transform_error = draw.number() % 5 == 2 ? draw.decade(-18, -8) : 0;
+            f.filter_error = f.transform_error + filter_error_of(f.small_end);
             wide::Frustum frustum{};
             put(f.small_end, frustum.small_end);
+            put(f.large_end, frustum.large_end);
             put(f.axis, frustum.axis);
             frustum.height = f.height;
             frustum.radius = f.radius;
             frustum.slope = f.slope;
             frustum.filter_error = f.filter_error;
+            frustum.transform_error = f.transform_error;
+            frustum.capped = f.capped;
+            frustum.tilted = f.tilted;
             const double size = std::max(f.height, f.radius + f.slope * f.height);
             const Vec3d middle = f.small_end + (f.height / 2) * f.axis;
             const Eight rays(draw, [&](Draw& own) {
@@ -250,11 +255,15 @@ TEST(OracleWide, CylinderAndCone) {
             });
             const double distance = some_limit(draw, size);
             WideAnswer answers[lanes];
+            kernels.frustum(frustum, rays.lane_rays.data(), distance, answers);
+            for (std::size_t i = 0; i < lanes; ++i)
+                check_nearest(crossings_to(f, rays.rays[i], distance), answers[i], draw, nearest);
             kernels.frustum_shadow(frustum, rays.lane_rays.data(), distance, answers);
             for (std::size_t i = 0; i < lanes; ++i)
                 check_shadow(f, rays.rays[i], distance, answers[i], draw, shadow);
         });
-        shadow.expect(0.7);
+        nearest.expect(0.1);
+        shadow.expect(0.05);
     });
 }
 

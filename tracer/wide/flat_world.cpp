@@ -50,6 +50,12 @@ bool is_clear(const Item& item, const Primitive<double>& primitive, const World<
            primitive.casts_shadow;
 }
 
+/// Whether it is a colour by place alone.
+bool is_pattern(const lancer::Pattern<double>& texture) {
+    return std::holds_alternative<CheckerPattern<double>>(texture) ||
+           std::holds_alternative<GradientPattern<double>>(texture);
+}
+
 Tree tree_of(const Bvh<double>& bvh) {
     Tree tree{};
     tree.nodes = reinterpret_cast<const Node*>(bvh.nodes.data());
@@ -66,6 +72,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     finish_of_composites_ = static_cast<std::uint32_t>(world.finishes.size());
     frames_.reserve(world.frames.size());
     for (const lancer::Frame<double>& f : world.frames) frames_.push_back(frame_of(f));
+    add_patterns(world);
     for (const Primitive<double>& p : world.primitives) add(p, world);
     for (const lancer::Finish<double>& f : world.finishes) add(f, world);
     finishes_.emplace_back();  // finish_of_composites_: not plain
@@ -81,6 +88,9 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.boxes = boxes_.data();
     scene_.frustums = frustums_.data();
     scene_.finishes = finishes_.data();
+    scene_.texture_of = textures_.empty() ? nullptr : texture_of_.data();
+    scene_.textures = textures_.data();
+    scene_.patterns = patterns_.data();
     if (world.has_media) {
         scene_.medium_slots = medium_slots_.data();
         scene_.medium_bounds = reinterpret_cast<const double(*)[6]>(world.medium_bounds.data());
@@ -108,6 +118,50 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
     item.clear = is_clear(item, primitive, world);
     if (world.has_media) medium_slots_.push_back(primitive.medium_slot);
     items_.push_back(item);
+    if (world.has_textures) texture_of_.push_back(add_texture(primitive, world));
+}
+
+void FlatWorld::add_patterns(const World<double>& world) {
+    std::size_t stops = 0;
+    for (const auto& texture : world.textures) {
+        if (const auto* gradient = std::get_if<GradientPattern<double>>(&texture))
+            stops += gradient->stops.size();
+    }
+    stops_.reserve(stops);  // so that they stay where they are
+    for (const auto& texture : world.textures) {
+        Pattern& p = patterns_.emplace_back();
+        if (const auto* checker = std::get_if<CheckerPattern<double>>(&texture)) {
+            p.kind = Pattern::Kind::checker;
+            put(checker->even, p.even);
+            put(checker->odd, p.odd);
+        } else if (const auto* gradient = std::get_if<GradientPattern<double>>(&texture)) {
+            p.kind = Pattern::Kind::gradient;
+            put(gradient->axis, p.axis);
+            p.stops = stops_.data() + stops_.size();
+            p.stop_count = static_cast<std::uint32_t>(gradient->stops.size());
+            for (const auto& from : gradient->stops) {
+                Stop& stop = stops_.emplace_back();
+                stop.at = from.at;
+                put(from.color, stop.color);
+            }
+        }
+    }
+}
+
+/// \return `nothing` where wide code does not know its colours
+std::uint32_t FlatWorld::add_texture(const Primitive<double>& primitive,
+                                     const World<double>& world) {
+    if (primitive.composite() != nullptr) return nothing;
+    const std::uint32_t pattern = world.finishes[primitive.material].texture;
+    if (pattern == none || !is_pattern(world.textures[pattern])) return nothing;
+    const Placement<double>& placement =
+        world.texture_bindings[primitive.texture_binding].placement;
+    Texture& t = textures_.emplace_back();
+    put(placement.map.rows, t.rows);
+    put(placement.map.shift, t.shift);
+    put(placement.bound, t.bound);
+    t.pattern = pattern;
+    return static_cast<std::uint32_t>(textures_.size() - 1);
 }
 
 Item FlatWorld::add_in_world(const Solid<double>& solid) {
@@ -132,11 +186,15 @@ Item FlatWorld::add_in_world(const Solid<double>& solid) {
         item.shape = static_cast<std::uint32_t>(frustums_.size());
         Frustum& f = frustums_.emplace_back();
         put(frustum->small_end, f.small_end);
+        put(frustum->large_end, f.large_end);
         put(frustum->axis, f.axis);
         f.height = frustum->height;
         f.radius = frustum->radius;
         f.slope = frustum->slope;
         f.filter_error = frustum->filter_error;
+        f.transform_error = frustum->transform_error;
+        f.capped = frustum->capped;
+        f.tilted = frustum->tilted;
     } else if (const auto* half = std::get_if<HalfSpace<double>>(&solid)) {
         Plane& p = planes_.emplace_back();
         put(half->normal, p.normal);

@@ -23,6 +23,8 @@ class FlatWorld {
     void add(const MeshInstance<double>& instance, const Frame* frame);
     void add(const lancer::Finish<double>& finish, const World<double>& world);
     void add(const LightSource<double>& light, const World<double>& world);
+    void add_patterns(const World<double>& world);
+    std::uint32_t add_texture(const Primitive<double>& primitive, const World<double>& world);
 
     std::vector<Item> items_;
     std::vector<Ball> balls_;
@@ -33,6 +35,10 @@ class FlatWorld {
     std::vector<std::uint32_t> medium_slots_;
     std::vector<Frame> frames_;  ///< as World::frames
     std::vector<Finish> finishes_;
+    std::vector<std::uint32_t> texture_of_;
+    std::vector<Texture> textures_;
+    std::vector<Pattern> patterns_;  ///< as World::textures
+    std::vector<Stop> stops_;        ///< of all gradients
     std::vector<Light> lights_;
     std::uint32_t finish_of_composites_ = 0;  ///< one that is left to the exact methods
     Scene scene_{};

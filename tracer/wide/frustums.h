@@ -1,5 +1,5 @@
 // Eight rays by one cylinder or cone in world space: the filter of shapes/frustum.h for lanes. The
-// proof is there. What it does not settle the exact method answers.
+// proof is there. What it does not settle goes on to frustum_crossings.h.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {

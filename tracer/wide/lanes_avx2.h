@@ -50,6 +50,9 @@ LANCER_INLINE Numbers operator-(const Numbers& a) {
 LANCER_INLINE Numbers root(const Numbers& a) {
     return {_mm256_sqrt_pd(a.low), _mm256_sqrt_pd(a.high)};
 }
+LANCER_INLINE Numbers floor(const Numbers& a) {
+    return {_mm256_floor_pd(a.low), _mm256_floor_pd(a.high)};
+}
 LANCER_INLINE Numbers absolute(const Numbers& a) {
     const __m256d sign = _mm256_set1_pd(-0.0);
     return {_mm256_andnot_pd(sign, a.low), _mm256_andnot_pd(sign, a.high)};

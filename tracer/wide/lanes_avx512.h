@@ -52,6 +52,9 @@ LANCER_INLINE Numbers operator-(const Numbers& a) {
 LANCER_INLINE Numbers root(const Numbers& a) {
     return {_mm512_sqrt_pd(a.v)};
 }
+LANCER_INLINE Numbers floor(const Numbers& a) {
+    return {_mm512_roundscale_pd(a.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)};
+}
 LANCER_INLINE Numbers absolute(const Numbers& a) {
     return {_mm512_abs_pd(a.v)};
 }

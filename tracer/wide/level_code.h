@@ -1,7 +1,7 @@
 // What is compiled once for each level, in a namespace of its own: in the order of use.
 #pragma once
 
-#include "tracer/wide/scene.h"
+#include "tracer/wide/job.h"
 //
 #include "tracer/wide/floats.h"
 #include "tracer/wide/fours.h"
@@ -24,6 +24,8 @@
 #include "tracer/wide/planes.h"
 #include "tracer/wide/triangles.h"
 //
+#include "tracer/wide/frustum_crossings.h"
+//
 #include "tracer/wide/meshes.h"
 //
 #include "tracer/wide/nearest.h"
@@ -34,6 +36,10 @@
 #include "tracer/wide/surface.h"
 //
 #include "tracer/wide/mesh_surfaces.h"
+//
+#include "tracer/wide/frustum_surfaces.h"
+#include "tracer/wide/simple_surfaces.h"
+#include "tracer/wide/textures.h"
 //
 #include "tracer/wide/surfaces.h"
 //

@@ -60,6 +60,7 @@ LANCER_INLINE Vectors unit(const Vectors& v, Mask& odd) {
     const Vectors sum = (one - hits.u - hits.v) * na + hits.u * nb + hits.v * nc;
     smooth &= less(zero, dot(sum, sum));
     const Vectors shading = select(smooth, sum, flat);
+    s.note(mask, a, offset, error);
     Mask odd = 0;
     VectorPair place;
     Vectors geometric, normal;

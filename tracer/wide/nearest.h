@@ -50,7 +50,9 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     } else if (item.kind == Kind::box) {
         asked = own | box_crossings(scene.boxes[item.shape], index, r, others, ways, hits);
     } else if (item.kind == Kind::frustum) {
-        asked = own | FrustumGuess(scene.frustums[item.shape], r, others, hits.limit).unsettled;
+        const Frustum& frustum = scene.frustums[item.shape];
+        asked = own | (item.glassy ? FrustumGuess(frustum, r, others, hits.limit).unsettled
+                                   : frustum_crossings(frustum, index, r, others, hits));
     }
     if (asked != 0) exact_crossings(*job.exact, index, r, starts, asked, hits);
 }

@@ -48,10 +48,11 @@ struct Box {
     double transform_error;
 };
 
-/// FrustumSolid<double>, for its filter.
+/// FrustumSolid<double>
 struct Frustum {
-    double small_end[3], axis[3];
-    double height, radius, slope, filter_error;
+    double small_end[3], large_end[3], axis[3];
+    double height, radius, slope, filter_error, transform_error;
+    bool capped, tilted;
 };
 
 /// Frame<double>
@@ -85,7 +86,7 @@ struct Mesh {
 enum class Kind : std::uint8_t {
     ball,  ///< in world space, as boxes and frustums are
     box,
-    frustum,  ///< which wide code filters alone
+    frustum,
     mesh,
     other,  ///< which scalar code knows
 };
@@ -114,6 +115,28 @@ struct Finish {
     double fresnel;  ///< 1: `reflection` goes by Fresnel's equations, else 0
     bool plain;      ///< its light is computed in lanes
     bool textured;   ///< its colour is not
+};
+
+/// A stop of GradientPattern<double>
+struct Stop {
+    double at;
+    double color[3];
+};
+
+/// CheckerPattern<double> or GradientPattern<double>
+struct Pattern {
+    enum class Kind : std::uint8_t { checker, gradient };
+    Kind kind;
+    double even[3], odd[3];  ///< of a checker
+    double axis[3];          ///< of a gradient, and its stops
+    const Stop* stops;
+    std::uint32_t stop_count;
+};
+
+/// How one item wears a pattern: Placement<double>.
+struct Texture {
+    double rows[3][3], shift[3], bound[3];
+    std::uint32_t pattern;
 };
 
 struct Light {
@@ -150,6 +173,11 @@ struct Scene {
     const Box* boxes;
     const Frustum* frustums;
     const Finish* finishes;
+    /// Of each item; `nothing` where it has none, or one that scalar code knows alone; null where
+    /// no item has one that wide code knows.
+    const std::uint32_t* texture_of;
+    const Texture* textures;
+    const Pattern* patterns;
     const std::uint32_t* medium_slots;  ///< of the items; null where nothing is a medium
     const double (*medium_bounds)[6];   ///< Bounds<double>: World::medium_bounds
     const Light* lights;
@@ -160,151 +188,5 @@ struct Scene {
     int max_depth;
     double min_contribution;
 };
-
-/// One ray, as Ray<double>.
-struct LaneRay {
-    double origin[3], origin_lo[3], dir[3];
-    double dir_squared, inv_squared, origin_error, filter_error;
-    double inv_dir[3];
-    bool whole;
-};
-
-/// Lists of bodies that are longer are scalar code's.
-inline constexpr int most_bodies = 4;
-
-/// What a ray starts on, if anything, what it leaves for good, and what it is inside of.
-struct LaneStart {
-    std::uint32_t item, face;
-    bool entering;
-    std::uint32_t left;
-    std::uint32_t bodies[most_bodies];  ///< in the order entered, then `nothing`
-};
-
-struct LaneHit {
-    double t, error, u, v;
-    std::uint32_t item, face;
-    bool entering;
-};
-
-/// Surface<double>, as far as it does not follow from the hit.
-struct LaneSurface {
-    double position[3], position_lo[3], geometric[3], normal[3], color[3];
-    double error, opacity;
-};
-
-struct LaneLight {
-    double direction[3], color[3];
-    double distance;
-};
-
-/// Gets crossings that count.
-struct HitSink {
-    void* self;
-    double (*limit)(void* self);
-    void (*add)(void* self, const LaneHit& hit);
-};
-
-/// Gets light.
-struct LightSink {
-    void* self;
-    void (*add)(void* self, const double* light);
-};
-
-/// The exact methods: what wide code asks where it is unsure, one ray at a time. Rays carry their
-/// own counts.
-class ExactMethods {
-  public:
-    /// The light that a ray brings; in worlds without glassy items, as `shade`.
-    virtual void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
-                       double* color) = 0;
-    /// The same where there are glassy items, term by term.
-    ///
-    /// \param through  what the surfaces before let pass of it
-    virtual void follow(const LaneRay& ray, const LaneStart& start, double weight, int level,
-                        const double* through, const LightSink& sink) = 0;
-    /// The light that a ray brings where it is known what it meets first.
-    virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
-                       double* color) = 0;
-    /// What a ray brings that hits nothing.
-    virtual void behind(const double* direction, double* color) = 0;
-    virtual void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) = 0;
-    virtual void light(std::size_t index, const double* position, const double* position_lo,
-                       LaneLight& light) = 0;
-    /// The crossings with one item up to the sink's limit that count.
-    virtual void crossings(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
-                           const HitSink& sink) = 0;
-    /// Whether the item lies on the way to a light.
-    virtual bool blocks(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
-                        double distance) = 0;
-    /// The share of a light that reaches the start of a ray, by colour.
-    virtual void light_share(const LaneRay& ray, const LaneStart& start, double distance,
-                             double* share) = 0;
-
-  protected:
-    ~ExactMethods() = default;
-};
-
-/// Rays that are traced together, and what they brought. Level by level each wave holds what the
-/// rays of the wave before it sent on.
-struct Wave {
-    static constexpr int most = 256;
-    static constexpr int room = most + 8;  ///< full vectors may be stored at any place
-
-    double origin[3][room], origin_lo[3][room], dir[3][room];
-    double error[room], weight[room];
-    double color[3][room];
-    double mirror[3][room];  ///< the factor of `color` in the sender's light
-    std::uint32_t sender[room];
-    std::uint32_t item[room], face[room], left[room];
-    bool entering[room];
-    // In worlds with glassy items, in place of `mirror` and `sender`:
-    double through[3][room];    ///< what the surfaces before let pass
-    std::uint32_t chain[room];  ///< that the ray's light belongs to
-    std::uint32_t bodies[most_bodies][room];
-    int deepest;  ///< no ray is in more bodies
-    int count;
-};
-
-/// A part of the light of a chain.
-struct Term {
-    double light[3];      ///< or the factor of what `child` brings
-    std::uint32_t child;  ///< a chain; `nothing`: `light` is all
-    std::uint32_t next;   ///< index into Ledger::terms
-};
-
-/// The light of a ray and of what it goes on as, bent or mirrored as a whole, as a sum of terms.
-struct Chain {
-    std::uint32_t first, last;  ///< terms
-    double light[3];            ///< their sum, when all is traced
-};
-
-/// The light of a tile's rays as sums that are yet to be formed.
-struct Ledger {
-    Chain* chains;  ///< each after the one that it is a term of
-    std::uint32_t chain_count, chain_room;
-    Term* terms;
-    std::uint32_t term_count, term_room;
-    void (*grow)(Ledger& ledger);  ///< makes room for more terms
-};
-
-struct Counts {
-    std::uint64_t primary, shadow, reflected, transmitted;
-};
-
-/// Everything that a tile of rays needs.
-struct Job {
-    const Scene* scene;
-    ExactMethods* exact;
-    Wave* (*wave)(void* waves, int index);  ///< the same at each call
-    void* waves;
-    Ledger* ledger;                  ///< of worlds with glassy items
-    std::uint32_t* last_in_the_way;  ///< an item for each light, or `nothing`: ShadowQuery
-    Counts counts;
-};
-
-/// Traces camera rays through `count` points of the picture, in pixels, at most Wave::most; their
-/// light is then in the `color` of the first wave.
-using TraceRays = void (*)(Job& job, const Camera& camera, const double* x, const double* y,
-                           int count);
 
 }  // namespace lancer::wide

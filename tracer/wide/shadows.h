@@ -105,12 +105,12 @@ class ShadowQuery {
         } else if (item.kind == Kind::box) {
             note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::frustum) {
-            const FrustumGuess guess(scene_.frustums[item.shape], rays_, others, distance_);
+            const FrustumShadow shadow(scene_.frustums[item.shape], rays_, others, distance_);
             if (item.glassy) {
-                unsure_ |= own | guess.unsettled;
+                unsure_ |= own | shadow.blocks | shadow.unsure;
             } else {
-                blocked_ |= guess.between;
-                ask_exactly(index, own | (guess.unsettled & ~guess.between));
+                blocked_ |= shadow.blocks;
+                ask_exactly(index, own | shadow.unsure);
             }
             return;
         } else {

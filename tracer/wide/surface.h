@@ -3,11 +3,26 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
+/// SurfacePoint<double>, as far as textures ask.
+struct SurfacePoints {
+    Vectors anchor, offset;  ///< in the primitives' own spaces
+    Numbers error;
+};
+
 /// Eight hits with all that shading asks of them: Surface<double> and its finish.
 struct Surfaces {
     Vectors position, position_lo, geometric, normal, color, reflection, own;
     Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness, metallic;
     Numbers ior, fresnel;
+    SurfacePoints* points;  ///< null: nobody asks
+
+    LANCER_INLINE void note(Mask mask, const Vectors& anchor, const Vectors& offset,
+                            const Numbers& of_point) {
+        if (points == nullptr) return;
+        points->anchor = select(mask, anchor, points->anchor);
+        points->offset = select(mask, offset, points->offset);
+        points->error = select(mask, of_point, points->error);
+    }
 };
 
 LANCER_INLINE void put(Mask mask, const VectorPair& place, const Numbers& error,
@@ -17,6 +32,12 @@ LANCER_INLINE void put(Mask mask, const VectorPair& place, const Numbers& error,
     s.error = select(mask, error, s.error);
     s.geometric = select(mask, normal, s.geometric);
     s.normal = select(mask, normal, s.normal);
+}
+/// Points in world space.
+LANCER_INLINE void put(Mask mask, const Vectors& anchor, const Vectors& offset,
+                       const Numbers& error, const Vectors& normal, Surfaces& s) {
+    s.note(mask, anchor, offset, error);
+    put(mask, two_sum(anchor, offset), error, normal, s);
 }
 
 }  // namespace lancer::wide::LANCER_LEVEL

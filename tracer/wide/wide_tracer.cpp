@@ -7,6 +7,7 @@
 #include "tracer/recursion/opaque.h"
 #include "tracer/recursion/whitted.h"
 #include "tracer/wide/flat_world.h"
+#include "tracer/wide/job.h"
 
 namespace lancer {
 namespace wide {

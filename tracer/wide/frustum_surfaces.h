@@ -1,0 +1,79 @@
+// Eight hits with cylinders and cones in world space become surfaces: surface_point() of
+// shapes/frustum.h for lanes.
+#pragma once
+
+namespace lancer::wide::LANCER_LEVEL {
+
+/// The frustums that eight rays hit.
+struct HitFrustums {
+    Vectors end;  ///< the centre of the cap, or the smaller end
+    Vectors axis;
+    Numbers radius, slope;
+    Mask sides = 0;
+    Mask small = 0;   ///< on the small cap
+    Mask tilted = 0;  ///< of `sides`
+
+    LANCER_INLINE HitFrustums(const Scene& scene, const NearestHits& hits, Mask mask) {
+        const Numbers zero = all(0.0);
+        end = axis = {zero, zero, zero};
+        radius = slope = zero;
+        for_each_lane(mask, [&](int i) {
+            const Frustum& f = scene.frustums[scene.items[hits.item[i]].shape];
+            const Mask bit = Mask(1) << i;
+            const std::uint32_t face = hits.face[i];
+            set_lane(end, i, face == large_cap ? f.large_end : f.small_end);
+            set_lane(axis, i, f.axis);
+            if (face == small_cap) small |= bit;
+            if (face != frustum_side) return;
+            sides |= bit;
+            if (f.tilted) tilted |= bit;
+            set_lane(radius, i, f.radius);
+            set_lane(slope, i, f.slope);
+        });
+    }
+};
+
+LANCER_INLINE void put_caps(const HitFrustums& f, const Vectors& rel, const Vectors& way, Mask mask,
+                            Surfaces& s) {
+    Vectors offset = rel + way;
+    offset = offset - dot(f.axis, offset) * f.axis;
+    const Numbers error = bound<4>() * dot(absolute(f.axis), absolute(offset));
+    Mask odd = 0;  // axes are unit
+    const Vectors normal = unit(select(f.small, -f.axis, f.axis), odd);
+    put(mask, f.end, offset, error, normal, s);
+}
+
+/// \return hits that are left to scalar code
+LANCER_INLINE Mask put_sides(const HitFrustums& f, const Rays& r, const Vectors& rel,
+                             const NearestHits& hits, Mask mask, Surfaces& s) {
+    const Numbers start_axial = dot(f.axis, rel);
+    const Vectors start_perp = rel - start_axial * f.axis;
+    const Numbers dir_axial = dot(f.axis, r.dir);
+    const Vectors dir_perp = r.dir - dir_axial * f.axis;
+    const Numbers axial = start_axial + hits.t * dir_axial;
+    Vectors radial = start_perp + hits.t * dir_perp;
+    if (f.tilted != 0) {
+        const Vectors once_more = radial - dot(f.axis, radial) * f.axis;
+        radial = select(f.tilted, once_more, radial);
+    }
+    const Numbers distance = length(radial);
+    const Numbers radius = f.radius + f.slope * axial;
+    Mask odd = mask & ~less(all(0.0), distance);  // the apex
+    const Vectors outward = radial / distance;
+    const Vectors offset = axial * f.axis + radius * outward;
+    const Vectors normal = unit(outward - f.slope * f.axis, odd);
+    put(mask & ~odd, f.end, offset, bound<8>() * length(offset), normal, s);
+    return mask & odd;
+}
+
+/// \return hits that are left to scalar code
+[[gnu::noinline]] inline Mask put_frustums(const Scene& scene, const Rays& r,
+                                           const NearestHits& hits, Mask mask, Surfaces& s) {
+    const HitFrustums f(scene, hits, mask);
+    const Vectors rel = start_from(r, f.end);
+    const Mask caps = mask & ~f.sides;
+    if (caps != 0) put_caps(f, rel, hits.t * r.dir, caps, s);
+    return f.sides == 0 ? 0 : put_sides(f, r, rel, hits, f.sides, s);
+}
+
+}  // namespace lancer::wide::LANCER_LEVEL
