@@ -1,210 +1,196 @@
 // The builder's body; included by the files that instantiate build_bvh.
 #pragma once
 
-#include <algorithm>
-#include <future>
-#include <numeric>
-
-#include "tracer/bvh/bvh.h"
+#include "tracer/bvh/split.h"
 
 namespace lancer {
 namespace bvh_detail {
 
-constexpr std::size_t bins = 16;
-constexpr std::size_t parallel_items = 20000;  ///< smaller trees are built by one thread
-
-struct Range {
-    std::uint32_t first;
-    std::uint32_t count;
-    int depth;
-};
-
+/// The upper part of the tree is cut part by part, each by all threads; what is left below it is
+/// built subtree by subtree, each by one thread. Nodes are numbered as one thread alone would.
 template <class Real>
-struct Builder {
-    const std::vector<Bounds<Real>>& boxes;
-    std::vector<std::uint32_t>& order;
-    std::uint32_t leaf_size;
+class Builder {
+  public:
+    using Number = BoxNumber<Real>;
+    using Node = BvhNode<Real>;
+    using Nodes = std::vector<Node>;
 
-    /// Twice the centre: the factor changes no order.
-    Vec3<Real> center(std::uint32_t item) const { return boxes[item].min + boxes[item].max; }
+    Builder(BothSides<Number>& boxes, std::vector<std::uint32_t>& order, std::uint32_t leaf_size,
+            int threads)
+        : boxes_(boxes), split_(boxes), order_(order), leaf_size_(leaf_size), threads_(threads) {}
 
-    Bounds<Real> bounds(const Range& r) const {
-        Bounds<Real> b;
-        for (std::uint32_t i = r.first; i < r.first + r.count; ++i) b.extend(boxes[order[i]]);
-        return b;
-    }
-
-    /// Splits `r` where the heuristic says, or in the middle. `r.count` >= 2.
-    std::pair<Range, Range> split(const Range& r) const {
-        Bounds<Real> centers;
-        for (std::uint32_t i = r.first; i < r.first + r.count; ++i)
-            centers.extend(center(order[i]));
-        const Vec3<Real> extent = centers.max - centers.min;
-        std::uint32_t left = 0;
-        if (r.depth < bvh_sah_levels && max_component(extent) > 0)
-            left = sah_partition(r, centers, extent);
-        if (left == 0 || left == r.count) {
-            left = r.count / 2;
-            int axis = extent.x > extent.y ? 0 : 1;
-            if (extent.z > extent[axis]) axis = 2;
-            const auto begin = order.begin() + r.first;
-            std::nth_element(begin, begin + left, begin + r.count,
-                             [&](std::uint32_t a, std::uint32_t b) {
-                                 const Real ca = center(a)[axis];
-                                 const Real cb = center(b)[axis];
-                                 return ca != cb ? ca < cb : a < b;
-                             });
+    void run(const Part<Number>& root, Nodes& nodes) {
+        if (threads_ <= 1 || root.count <= smallest_subtree) {
+            build(root, nodes);
+            return;
         }
-        return {{r.first, left, r.depth + 1}, {r.first + left, r.count - left, r.depth + 1}};
-    }
-
-    /// Items left of the best of 3 x 15 planes; 0 when no plane separates any.
-    std::uint32_t sah_partition(const Range& r, const Bounds<Real>& centers,
-                                const Vec3<Real>& extent) const {
-        struct Bin {
-            Bounds<Real> box;
-            std::uint32_t count = 0;
-        };
-        Real best_cost = std::numeric_limits<Real>::infinity();
-        int best_axis = -1;
-        std::size_t best_bin = 0;
-        const auto bin_of = [&](std::uint32_t item, int axis) {
-            const Real share = (center(item)[axis] - centers.min[axis]) / extent[axis];
-            const auto bin = static_cast<std::size_t>(share * static_cast<Real>(bins));
-            return bin < bins ? bin : bins - 1;
-        };
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(extent[axis] > 0)) continue;
-            std::array<Bin, bins> bin{};
-            for (std::uint32_t i = r.first; i < r.first + r.count; ++i) {
-                Bin& b = bin[bin_of(order[i], axis)];
-                b.box.extend(boxes[order[i]]);
-                ++b.count;
-            }
-            std::array<Real, bins> right_cost{};
-            Bounds<Real> box;
-            std::uint32_t count = 0;
-            for (std::size_t i = bins - 1; i > 0; --i) {
-                box.extend(bin[i].box);
-                count += bin[i].count;
-                right_cost[i] = count == 0 ? Real(0) : half_area(box) * static_cast<Real>(count);
-            }
-            box = {};
-            count = 0;
-            for (std::size_t i = 0; i + 1 < bins; ++i) {
-                box.extend(bin[i].box);
-                count += bin[i].count;
-                if (count == 0 || count == r.count) continue;
-                const Real cost = half_area(box) * static_cast<Real>(count) + right_cost[i + 1];
-                if (cost < best_cost) {
-                    best_cost = cost;
-                    best_axis = axis;
-                    best_bin = i;
-                }
-            }
-        }
-        if (best_axis < 0) return 0;
-        const auto begin = order.begin() + r.first;
-        const auto middle = std::stable_partition(begin, begin + r.count, [&](std::uint32_t item) {
-            return bin_of(item, best_axis) <= best_bin;
+        subtree_size_ = std::max(smallest_subtree,
+                                 root.count / (subtrees_per_thread * std::uint32_t(threads_)));
+        build_top(root);
+        std::vector<Nodes> below(subtrees_.size());
+        for_each_task(static_cast<int>(subtrees_.size()), threads_, {}, [&](const NextTask& next) {
+            for (int i = 0; next(i);)
+                build(subtrees_[static_cast<std::size_t>(i)], below[static_cast<std::size_t>(i)]);
         });
-        return static_cast<std::uint32_t>(middle - begin);
+        number(0, below, nodes);
     }
 
+  private:
     static constexpr std::size_t width = bvh_width<Real>;
+    static constexpr std::uint32_t smallest_subtree = 20000;
+    static constexpr std::uint32_t subtrees_per_thread = 8;
 
-    /// The largest number of the boxes' type that is not above x.
-    static BoxNumber<Real> at_most_as_large(Real x) {
-        using Number = BoxNumber<Real>;
-        [[maybe_unused]] constexpr Number infinity = std::numeric_limits<Number>::infinity();
-        const auto rounded = static_cast<Number>(x);
-        if constexpr (std::is_same_v<Number, Real>)
-            return rounded;
-        else
-            return static_cast<Real>(rounded) > x ? std::nextafter(rounded, -infinity) : rounded;
-    }
-
-    /// Appends the node over `r` and all below it; returns its index.
-    std::uint32_t build(const Range& r, std::vector<BvhNode<Real>>& nodes, int threads) const {
-        // Two-way splits of the largest parts until there are enough.
-        std::array<Range, width> part{r};
-        std::size_t parts = 1;
-        while (parts < width) {
+    struct Children {
+        std::array<Part<Number>, width> part;
+        std::size_t count = 0;
+    };
+    /// Two-way splits of the largest parts until there are enough.
+    Children children_of(const Part<Number>& whole, int threads) {
+        Children c;
+        c.part[c.count++] = whole;
+        while (c.count < width) {
             std::size_t largest = width;
-            for (std::size_t i = 0; i < parts; ++i) {
-                if (part[i].count > leaf_size &&
-                    (largest == width || part[i].count > part[largest].count))
+            for (std::size_t i = 0; i < c.count; ++i) {
+                if (c.part[i].count > leaf_size_ &&
+                    (largest == width || c.part[i].count > c.part[largest].count))
                     largest = i;
             }
             if (largest == width) break;
-            const auto [left, right] = split(part[largest]);
-            part[largest] = left;
-            part[parts++] = right;
+            const auto [left, right] = split_(c.part[largest], threads);
+            c.part[largest] = left;
+            c.part[c.count++] = right;
         }
-        const auto index = static_cast<std::uint32_t>(nodes.size());
-        nodes.emplace_back();
-        std::array<std::future<std::vector<BvhNode<Real>>>, width> elsewhere;
-        if (threads > 1 && r.count > parallel_items) {
-            for (std::size_t c = 0; c < parts; ++c) {
-                if (part[c].count <= leaf_size) continue;
-                elsewhere[c] = std::async(std::launch::async, [this, range = part[c]] {
-                    std::vector<BvhNode<Real>> below;
-                    build(range, below, 1);
-                    return below;
-                });
-            }
-        }
+        return c;
+    }
+
+    /// A node with its boxes and its leaves; children that are nodes have no number yet.
+    Node node_over(const Children& children) {
+        Node node;
         for (std::size_t c = 0; c < width; ++c) {
-            const Bounds<Real> box = c < parts ? widened(bounds(part[c])) : Bounds<Real>{};
-            std::uint32_t child = c < parts ? part[c].first : none;
-            std::uint32_t count = c < parts ? part[c].count : 0;
-            if (count > leaf_size) {
-                count = 0;
-                if (elsewhere[c].valid()) {
-                    child = append(nodes, elsewhere[c].get());
-                } else {
-                    child = build(part[c], nodes, 1);
-                }
-            }
-            BvhNode<Real>& node = nodes[index];
+            const bool exists = c < children.count;
+            const Part<Number> part = exists ? children.part[c] : Part<Number>{};
+            const Bounds<Real> box =
+                exists ? widened(part.box.template bounds<Real>()) : Bounds<Real>{};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 node.min[axis][c] = at_most_as_large(box.min[static_cast<int>(axis)]);
                 node.max[axis][c] = -at_most_as_large(-box.max[static_cast<int>(axis)]);
             }
-            node.child[c] = child;
-            node.count[c] = count;
+            node.child[c] = exists ? part.first : none;
+            node.count[c] = exists && is_leaf(part) ? part.count : 0;
+            if (exists && is_leaf(part)) {
+                for (std::uint32_t i = part.first; i < part.first + part.count; ++i)
+                    order_[i] = boxes_[part.side][i].item();
+            }
+        }
+        return node;
+    }
+    bool is_leaf(const Part<Number>& part) const { return part.count <= leaf_size_; }
+
+    /// Appends the node over `part` and all below it; returns its index.
+    std::uint32_t build(const Part<Number>& part, Nodes& nodes) {
+        const Children children = children_of(part, 1);
+        const auto index = static_cast<std::uint32_t>(nodes.size());
+        nodes.push_back(node_over(children));
+        for (std::size_t c = 0; c < children.count; ++c) {
+            if (is_leaf(children.part[c])) continue;
+            const std::uint32_t below = build(children.part[c], nodes);
+            nodes[index].child[c] = below;
         }
         return index;
     }
 
-    static std::uint32_t append(std::vector<BvhNode<Real>>& nodes,
-                                std::vector<BvhNode<Real>>&& more) {
+    /// A node of the upper part. What is below each child: another such node, or a subtree.
+    struct Top {
+        Node node;
+        struct Below {
+            std::uint32_t top = none;
+            std::uint32_t subtree = none;
+        };
+        std::array<Below, width> below;
+    };
+
+    std::uint32_t build_top(const Part<Number>& part) {
+        const Children children = children_of(part, threads_);
+        const auto index = static_cast<std::uint32_t>(tops_.size());
+        tops_.push_back({node_over(children), {}});
+        for (std::size_t c = 0; c < children.count; ++c) {
+            const Part<Number>& child = children.part[c];
+            typename Top::Below below;
+            if (child.count > subtree_size_) {
+                below.top = build_top(child);
+            } else if (!is_leaf(child)) {
+                below.subtree = static_cast<std::uint32_t>(subtrees_.size());
+                subtrees_.push_back(child);
+            }
+            tops_[index].below[c] = below;
+        }
+        return index;
+    }
+
+    std::uint32_t number(std::uint32_t top, std::vector<Nodes>& subtrees, Nodes& nodes) const {
+        const auto index = static_cast<std::uint32_t>(nodes.size());
+        nodes.push_back(tops_[top].node);
+        for (std::size_t c = 0; c < width; ++c) {
+            const typename Top::Below& below = tops_[top].below[c];
+            if (below.top != none) {
+                const std::uint32_t child = number(below.top, subtrees, nodes);
+                nodes[index].child[c] = child;
+            } else if (below.subtree != none) {
+                nodes[index].child[c] = append(nodes, subtrees[below.subtree]);
+            }
+        }
+        return index;
+    }
+
+    static std::uint32_t append(Nodes& nodes, Nodes& more) {
         const auto offset = static_cast<std::uint32_t>(nodes.size());
-        for (BvhNode<Real>& node : more) {
+        for (Node& node : more) {
             for (std::size_t c = 0; c < width; ++c) {
                 const bool inner = node.count[c] == 0 && node.child[c] != none;
                 if (inner) node.child[c] += offset;
             }
             nodes.push_back(node);
         }
+        more = {};
         return offset;
     }
+
+    BothSides<Number>& boxes_;
+    Splitter<Number> split_;
+    std::vector<std::uint32_t>& order_;
+    std::uint32_t leaf_size_;
+    int threads_;
+    std::uint32_t subtree_size_ = 0;
+    std::vector<Top> tops_;
+    std::vector<Part<Number>> subtrees_;
 };
 
 }  // namespace bvh_detail
 
 template <class Real>
-Bvh<Real> build_bvh(const std::vector<Bounds<Real>>& boxes, std::uint32_t leaf_size, int threads) {
+Bvh<Real> build_bvh(std::vector<Bounds<Real>> boxes, std::uint32_t leaf_size, int threads) {
+    using namespace bvh_detail;
+    using Number = BoxNumber<Real>;
     Bvh<Real> bvh;
-    bvh.order.resize(boxes.size());
-    std::iota(bvh.order.begin(), bvh.order.end(), 0u);
     if (boxes.empty()) return bvh;
-    for (const Bounds<Real>& box : boxes) bvh.bounds.extend(box);
+    const auto count = static_cast<std::uint32_t>(boxes.size());
+    Part<Number> root{0, count, 0, 0, {}, {}};
+    BothSides<Number> both;
+    both[0] = std::make_unique_for_overwrite<MovingBox<Number>[]>(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        bvh.bounds.extend(boxes[i]);
+        const MovingBox<Number> moving(boxes[i], i);
+        root.box.extend(moving);
+        root.centers.extend(moving.center(), moving.center());
+        both[0][i] = moving;
+    }
+    boxes = {};
+    both[1] = std::make_unique_for_overwrite<MovingBox<Number>[]>(count);
     bvh.bounds = widened(bvh.bounds);
     bvh.reach = bvh.bounds.reach();
-    const bvh_detail::Builder<Real> builder{boxes, bvh.order, leaf_size};
-    bvh.nodes.reserve(boxes.size() / leaf_size + 1);
-    builder.build({0, static_cast<std::uint32_t>(boxes.size()), 0}, bvh.nodes, threads);
+    bvh.order.resize(count);
+    bvh.nodes.reserve(count / leaf_size / 2 + 1);
+    Builder<Real>(both, bvh.order, leaf_size, threads).run(root, bvh.nodes);
     return bvh;
 }
 

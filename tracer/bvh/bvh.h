@@ -52,7 +52,7 @@ struct Bvh {
 /// heuristic. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007. The
 /// same tree for any number of threads.
 template <class Real>
-Bvh<Real> build_bvh(const std::vector<Bounds<Real>>& boxes, std::uint32_t leaf_size, int threads);
+Bvh<Real> build_bvh(std::vector<Bounds<Real>> boxes, std::uint32_t leaf_size, int threads);
 
 /// A level of splits after which the builder halves the items whatever that costs, so that the
 /// depth, and with it the stack of a traversal, is bounded: 64 + log2(2^32) levels, all children

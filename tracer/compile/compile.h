@@ -270,7 +270,7 @@ class Compiler {
             check_size(p, scene_.objects[p.object]);
             boxes.push_back(bounds_of(*world_, p));
         }
-        world_->bvh = build_bvh(boxes, 2, threads_);
+        world_->bvh = build_bvh(std::move(boxes), 2, threads_);
         // Primitives in leaf order lie together in memory when they are visited together.
         std::vector<Primitive<Real>> ordered;
         ordered.reserve(world_->primitives.size());

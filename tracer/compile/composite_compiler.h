@@ -116,7 +116,7 @@ class CompositeCompiler {
                 in_tree.push_back(boxes.back());
             }
         }
-        tree_.bvh = build_bvh(in_tree, 2, threads);
+        tree_.bvh = build_bvh(std::move(in_tree), 2, threads);
         for (const std::uint32_t item : tree_.bvh.order) tree_.bounded.push_back(bounded[item]);
         tree_.bounds = composite_bounds(from_, boxes);
         return std::move(tree_);
