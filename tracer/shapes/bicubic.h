@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "model/shapes.h"
 #include "tracer/bvh/traverse.h"
@@ -12,7 +13,7 @@
 #include "tracer/rays/shear.h"
 #include "tracer/rays/surface_point.h"
 #include "tracer/shapes/traits.h"
-#include "tracer/splines/pieces.h"
+#include "tracer/splines/piece_frame.h"
 
 namespace lancer {
 
@@ -27,8 +28,9 @@ struct PieceTree {
     };
     std::vector<Home> homes;
     std::vector<splines::Piece<Real>> pieces;
-    std::vector<std::uint32_t> home;  ///< of each piece
-    Real columns = 1, rows = 1;       ///< of the net
+    std::vector<splines::PieceFrame<Real>> frames;  ///< of each piece
+    std::vector<std::uint32_t> home;                ///< of each piece
+    Real columns = 1, rows = 1;                     ///< of the net
     Bvh<Real> bvh;
 };
 
@@ -73,29 +75,37 @@ struct BicubicSolid {
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
+/// The ray's start as a piece's points are kept, and how far from their true places rounding puts
+/// them as seen along the ray. The cuts rounded the points, 3 times a level, and the start and the
+/// shear once or twice each.
+template <class Real>
+struct PieceStart {
+    Vec3<Real> at;
+    Real noise;
+
+    PieceStart(const typename PieceTree<Real>::Home& home, const Ray<Real>& ray)
+        : at(start_from(ray, home.anchor)),
+          noise(gamma<Real>(32) * home.size + gamma<Real>(8) * max_component(absolute(at)) +
+                2 * ray.origin_error) {}
+};
+
 /// The crossings with one piece. Seen along the ray its points are a map of the plane, whose zeros
 /// are the crossings; the coordinate along the ray then gives t.
 template <class Real, class Report>
-void piece_crossings(const PieceTree<Real>& tree, std::uint32_t index, const Ray<Real>& ray,
-                     const Shear<Real>& s, Report&& report) {
+void piece_crossings(const splines::Piece<Real>& piece, std::uint32_t index,
+                     const PieceStart<Real>& start, const Shear<Real>& s, Report&& report) {
     using std::abs;
-    const splines::Piece<Real>& piece = tree.pieces[index];
-    const auto& home = tree.homes[tree.home[index]];
-    const Vec3<Real> start = start_from(ray, home.anchor);
     const auto axis = [&](int k) -> const std::array<Real, 16>& {
         return piece.c[static_cast<std::size_t>(k)];
     };
     const auto& along = axis(s.z);
     splines::PlaneNet<Real> net;
-    const Real x0 = start[s.x] - s.sx * start[s.z];
-    const Real y0 = start[s.y] - s.sy * start[s.z];
+    const Real x0 = start.at[s.x] - s.sx * start.at[s.z];
+    const Real y0 = start.at[s.y] - s.sy * start.at[s.z];
     for (std::size_t i = 0; i < 16; ++i) {
         net.x[i] = (axis(s.x)[i] - s.sx * along[i]) - x0;
         net.y[i] = (axis(s.y)[i] - s.sy * along[i]) - y0;
     }
-    // The cuts rounded the points, 3 times a level, and the start and the shear once or twice each.
-    const Real away = max_component(absolute(start));
-    const Real noise = gamma<Real>(32) * home.size + gamma<Real>(8) * away + 2 * ray.origin_error;
     const auto found = [&](const splines::PlaneZero<Real>& zero) {
         const splines::CubicBasis<Real> bu(zero.u);
         const splines::CubicBasis<Real> bv(zero.v);
@@ -103,32 +113,60 @@ void piece_crossings(const PieceTree<Real>& tree, std::uint32_t index, const Ray
         const splines::BicubicValue<Real> x(net.x, bu, bv);
         const splines::BicubicValue<Real> y(net.y, bu, bv);
         Crossing<Real> c;
-        c.t = (z.value - start[s.z]) * s.sz;
-        c.error = abs(s.sz) * (noise + abs(z.du) * zero.slack_u + abs(z.dv) * zero.slack_v) +
+        c.t = (z.value - start.at[s.z]) * s.sz;
+        c.error = abs(s.sz) * (start.noise + abs(z.du) * zero.slack_u + abs(z.dv) * zero.slack_v) +
                   gamma<Real>(3) * abs(c.t);
         c.face = index;
         c.entering = x.du * y.dv - x.dv * y.du > 0;
         report(c, zero.u, zero.v);
     };
-    splines::PlaneZeros<Real, decltype(found)>(noise, found).search(net);
+    splines::PlaneZeros<Real, decltype(found)>(start.noise, found).search(net);
+}
+
+/// What a filter settles without a crossing formed.
+enum class Foreseen { nothing, no_crossing, enough };
+
+/// That the line passes a piece by, or meets it outside of the interval, or where it starts on it
+/// and nowhere else, as it meets it at most once; or `enough`: it meets it for certain, and the
+/// query wants to hear no more.
+template <class Real, class Last>
+Foreseen foresee(const PieceTree<Real>& tree, std::uint32_t index, const Ray<Real>& ray,
+                 const PieceStart<Real>& start, const IntersectionHints& hints,
+                 const RayInterval<Real, Last>& interval) {
+    const splines::PieceView<Real> view(tree.frames[index], start.at, ray.dir, start.noise);
+    if (!view.is_clear) return Foreseen::nothing;
+    if (view.passes_by() || hints.start_face == index) return Foreseen::no_crossing;
+    const auto [first, last] = view.stretch();
+    if (interval.ends_before(first) || last < interval.first) return Foreseen::no_crossing;
+    if constexpr (RayInterval<Real, Last>::may_accept_estimates) {
+        if (view.meets(tree.pieces[index]) && interval.accepts_estimate(first, last))
+            return Foreseen::enough;
+    }
+    return Foreseen::nothing;
 }
 
 template <class Real, class Last, class Report>
 void crossings(const BicubicSolid<Real>& solid, const Ray<Real>& ray,
-               const IntersectionHints& /*hints*/, const RayInterval<Real, Last>& interval,
+               const IntersectionHints& hints, const RayInterval<Real, Last>& interval,
                Report&& report) {
     const PieceTree<Real>& tree = solid.surface->tree();
-    const Shear<Real> shear = shear_of(ray);
+    std::optional<Shear<Real>> shear;  // most rays do without
+    const auto piece = [&](std::uint32_t index) {
+        const PieceStart<Real> start(tree.homes[tree.home[index]], ray);
+        const Foreseen known = foresee(tree, index, ray, start, hints, interval);
+        bool stop = known == Foreseen::enough;
+        if (known != Foreseen::nothing) return stop;
+        if (!shear) shear = shear_of(ray);
+        piece_crossings(
+            tree.pieces[index], index, start, *shear,
+            [&](const Crossing<Real>& c, Real u, Real v) { stop = stop || report(c, u, v); });
+        return stop;
+    };
     traverse(tree.bvh, ray, interval.first, interval.last,
              [&](std::uint32_t first, std::uint32_t count) {
-                 bool stop = false;
-                 for (std::uint32_t i = first; i < first + count && !stop; ++i) {
-                     piece_crossings(tree, tree.bvh.order[i], ray, shear,
-                                     [&](const Crossing<Real>& c, Real u, Real v) {
-                                         stop = stop || report(c, u, v);
-                                     });
-                 }
-                 return stop;
+                 for (std::uint32_t i = first; i < first + count; ++i)
+                     if (piece(tree.bvh.order[i])) return true;
+                 return false;
              });
 }
 

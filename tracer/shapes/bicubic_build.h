@@ -48,6 +48,7 @@ PieceTree<Real> make_piece_tree(const Patch& patch, int exponent) {
             splines::cut(whole, static_cast<Real>(evenness), most_cuts, tree.pieces);
             tree.homes.push_back(home);
             for (std::size_t k = tree.home.size(); k < tree.pieces.size(); ++k) {
+                tree.frames.emplace_back(tree.pieces[k]);
                 Bounds<Real> box;
                 for (std::size_t p = 0; p < 16; ++p) {
                     const auto& c = tree.pieces[k].c;
@@ -61,7 +62,7 @@ PieceTree<Real> make_piece_tree(const Patch& patch, int exponent) {
         }
     }
     for (Bounds<Real>& box : boxes) box = widened(box);
-    tree.bvh = build_bvh(boxes, 1, 1);
+    tree.bvh = build_bvh(std::move(boxes), 1, 1);
     return tree;
 }
 
