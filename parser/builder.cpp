@@ -167,6 +167,7 @@ void Builder::begin_body() {
 ast::Range Builder::flush(std::size_t from) {
     const auto begin = static_cast<std::uint32_t>(file_.statements.size());
     const auto first = pending_.begin() + static_cast<std::ptrdiff_t>(from);
+    make_room(file_.statements, pending_.size() - from);
     file_.statements.insert(file_.statements.end(), first, pending_.end());
     pending_.erase(first, pending_.end());
     return {begin, static_cast<std::uint32_t>(file_.statements.size())};
@@ -215,6 +216,7 @@ void Builder::end_statement() {
         brackets_.pop_back();
         counts_.pop_back();
     }
+    make_room(pending_, 1);
     pending_.push_back(statement);
     building_.pop_back();
 }

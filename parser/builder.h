@@ -2,6 +2,7 @@
 // was read, the grammar's rules ask it what only the context can say.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -187,6 +188,18 @@ class Builder {
     void emit(ast::Op op, const char* begin, const char* end, std::uint64_t payload);
     void pop_operator();
     ast::Range flush(std::size_t from);
+    /// Room for `more`, and where none is left for as many as the whole text has if the rest of it
+    /// is like what was read: a long script would else be copied again and again. Eight times as
+    /// many at most, so that a beginning that is unlike the rest takes no memory out of proportion.
+    template <class T>
+    void make_room(std::vector<T>& read, std::size_t more) const {
+        const std::size_t needed = read.size() + more;
+        if (needed <= read.capacity()) return;
+        const double share =
+            static_cast<double>(text_.size()) / (static_cast<double>(offset_of(last_end_)) + 1);
+        const double grown = static_cast<double>(needed) * std::clamp(1.05 * share, 1.25, 8.0);
+        read.reserve(std::max(needed, static_cast<std::size_t>(grown)));
+    }
     SourceSpan span(const char* begin, const char* end) const;
     std::string found_at(const char* at) const;
     SourceSpan span_of_token(const char* at) const;

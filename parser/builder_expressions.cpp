@@ -40,6 +40,7 @@ constexpr std::uint64_t pair(std::uint64_t low, std::uint64_t high) {
 
 void Builder::emit(Op op, const char* begin, const char* end, std::uint64_t payload) {
     const auto length = std::min<std::ptrdiff_t>(end - begin, 0xFFFF);
+    make_room(file_.steps, 1);
     file_.steps.push_back({payload, offset_of(begin), static_cast<std::uint16_t>(length), op});
     last_end_ = std::max(last_end_, end);
 }
@@ -90,6 +91,7 @@ void Builder::callee(const char* begin, const char* end) {
 }
 
 void Builder::plain_name() {
+    make_room(file_.steps, 1);
     file_.steps.push_back(callees_.back());
     callees_.pop_back();
 }

@@ -21,6 +21,8 @@ Evaluator::Frame& Evaluator::push(Frame::Kind kind, const ast::File& file, const
 
 void Evaluator::run() {
     scopes_.open();
+    // Most of what a long file says are objects.
+    builder_.scene.objects.reserve(program_.main.body.size());
     push(Frame::Kind::include, program_.main, program_.main.body).file_level = true;
     while (!frames_.empty()) step();
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "model/bodies.h"
 #include "model/diagnostic.h"
@@ -271,16 +272,25 @@ class Compiler {
             boxes.push_back(bounds_of(*world_, p));
         }
         world_->bvh = build_bvh(std::move(boxes), 2, threads_);
-        // Primitives in leaf order lie together in memory when they are visited together.
-        std::vector<Primitive<Real>> ordered;
-        ordered.reserve(world_->primitives.size());
-        for (std::uint32_t& item : world_->bvh.order) {
-            ordered.push_back(world_->primitives[item]);
-            item = static_cast<std::uint32_t>(ordered.size() - 1);
+        put_in_leaf_order();
+    }
+
+    /// Primitives in leaf order lie together in memory when they are visited together. They change
+    /// places ring by ring, so that there is never a second copy of all.
+    void put_in_leaf_order() {
+        std::vector<Primitive<Real>>& primitives = world_->primitives;
+        std::vector<std::uint32_t>& order = world_->bvh.order;
+        for (std::uint32_t i = 0; i < order.size(); ++i) {
+            if (order[i] == i) continue;
+            const Primitive<Real> first = primitives[i];
+            std::uint32_t to = i;
+            while (order[to] != i) {
+                primitives[to] = primitives[order[to]];
+                to = std::exchange(order[to], to);
+            }
+            primitives[to] = first;
+            order[to] = to;
         }
-        ordered.insert(ordered.end(), world_->primitives.begin() + world_->bounded,
-                       world_->primitives.end());
-        world_->primitives = std::move(ordered);
     }
 
     void list_mediums() {

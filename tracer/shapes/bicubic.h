@@ -103,21 +103,19 @@ void piece_crossings(const splines::Piece<Real>& piece, std::uint32_t index,
     const Real x0 = start.at[s.x] - s.sx * start.at[s.z];
     const Real y0 = start.at[s.y] - s.sy * start.at[s.z];
     for (std::size_t i = 0; i < 16; ++i) {
-        net.x[i] = (axis(s.x)[i] - s.sx * along[i]) - x0;
-        net.y[i] = (axis(s.y)[i] - s.sy * along[i]) - y0;
+        net[i] = {(axis(s.x)[i] - s.sx * along[i]) - x0, (axis(s.y)[i] - s.sy * along[i]) - y0};
     }
     const auto found = [&](const splines::PlaneZero<Real>& zero) {
         const splines::CubicBasis<Real> bu(zero.u);
         const splines::CubicBasis<Real> bv(zero.v);
         const splines::BicubicValue<Real> z(along, bu, bv);
-        const splines::BicubicValue<Real> x(net.x, bu, bv);
-        const splines::BicubicValue<Real> y(net.y, bu, bv);
+        const splines::PlaneValue<Real> across(net, bu, bv);
         Crossing<Real> c;
         c.t = (z.value - start.at[s.z]) * s.sz;
         c.error = abs(s.sz) * (start.noise + abs(z.du) * zero.slack_u + abs(z.dv) * zero.slack_v) +
                   gamma<Real>(3) * abs(c.t);
         c.face = index;
-        c.entering = x.du * y.dv - x.dv * y.du > 0;
+        c.entering = across.du[0] * across.dv[1] - across.dv[0] * across.du[1] > 0;
         report(c, zero.u, zero.v);
     };
     splines::PlaneZeros<Real, decltype(found)>(start.noise, found).search(net);

@@ -1,8 +1,10 @@
 // Meshes: scaled, with normals where somebody interpolates, and with a tree.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
+#include "base/parallel.h"
 #include "tracer/bvh/build.h"
 #include "tracer/numerics/power_of_two.h"
 #include "tracer/shapes/mesh.h"
@@ -61,23 +63,40 @@ std::vector<Bounds<Real>> face_boxes(const TriangleMesh<Real>& mesh) {
 
 /// Puts the faces of each leaf of the tree side by side, in the order of the nodes.
 template <class Real>
-void gather_leaves(TriangleMesh<Real>& mesh) {
-    std::size_t leaves = 0;
-    for (const BvhNode<Real>& node : mesh.bvh.nodes) {
-        for (const std::uint32_t count : node.count) leaves += count != 0;
+void gather_leaves(TriangleMesh<Real>& mesh, int threads) {
+    // Stretches of nodes, each of which knows where its leaves begin.
+    std::vector<BvhNode<Real>>& nodes = mesh.bvh.nodes;
+    constexpr std::size_t stretch = 4096;
+    std::vector<std::uint32_t> first;
+    std::uint32_t leaves = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (i % stretch == 0) first.push_back(leaves);
+        for (const std::uint32_t count : nodes[i].count) leaves += count != 0;
     }
-    mesh.leaves.reserve(leaves);
-    for (BvhNode<Real>& node : mesh.bvh.nodes) {
-        for (std::size_t c = 0; c < node.child.size(); ++c) {
-            if (node.count[c] == 0) continue;
-            TriangleLeaf<Real> leaf;
-            for (std::uint32_t i = 0; i < node.count[c]; ++i) {
-                const std::uint32_t face = mesh.bvh.order[node.child[c] + i];
-                leaf.set(i, face, mesh.triangle(face));
+    mesh.leaves.resize(leaves);
+    const auto gather = [&](std::size_t number) {
+        std::uint32_t next = first[number];
+        const std::size_t end = std::min(nodes.size(), (number + 1) * stretch);
+        for (std::size_t n = number * stretch; n < end; ++n) {
+            BvhNode<Real>& node = nodes[n];
+            for (std::size_t c = 0; c < node.child.size(); ++c) {
+                if (node.count[c] == 0) continue;
+                TriangleLeaf<Real>& leaf = mesh.leaves[next];
+                for (std::uint32_t i = 0; i < node.count[c]; ++i) {
+                    const std::uint32_t face = mesh.bvh.order[node.child[c] + i];
+                    leaf.set(i, face, mesh.triangle(face));
+                }
+                node.child[c] = next++;
             }
-            node.child[c] = static_cast<std::uint32_t>(mesh.leaves.size());
-            mesh.leaves.push_back(leaf);
         }
+    };
+    if (first.size() <= 1) threads = 1;
+    if (threads <= 1) {
+        for (std::size_t i = 0; i < first.size(); ++i) gather(i);
+    } else {
+        for_each_task(static_cast<int>(first.size()), threads, {}, [&](const NextTask& task) {
+            for (int i = 0; task(i);) gather(static_cast<std::size_t>(i));
+        });
     }
     mesh.bvh.order = {};
 }
@@ -104,7 +123,7 @@ std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mes
     }
     if (needs.body) mesh->inward = inward_faces(from);
     mesh->bvh = build_bvh(face_boxes(*mesh), TriangleLeaf<Real>::size, threads);
-    gather_leaves(*mesh);
+    gather_leaves(*mesh, threads);
     return mesh;
 }
 

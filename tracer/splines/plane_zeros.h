@@ -15,14 +15,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tracer/numerics/lanes.h"
+
 namespace lancer::splines {
 
-/// 16 control points in the plane, row by row: u along a row, v from row to row.
+/// 16 control points in the plane, row by row: u along a row, v from row to row. Both coordinates
+/// go side by side through nearly all that is done with them.
 template <class Real>
-struct PlaneNet {
-    std::array<Real, 16> x;
-    std::array<Real, 16> y;
-};
+using PlaneNet = std::array<std::array<Real, 2>, 16>;
 
 /// A zero at (u, v), each known to within its slack; u and v are in [0, 1].
 template <class Real>
@@ -68,6 +68,34 @@ struct BicubicValue {
     }
 };
 
+/// The same of a point in the plane.
+template <class Real>
+struct PlaneValue {
+    std::array<Real, 2> value, du, dv;
+
+    PlaneValue(const PlaneNet<Real>& c, const CubicBasis<Real>& u, const CubicBasis<Real>& v) {
+        Two<Real> sum(Real(0));
+        Two<Real> sum_du(Real(0));
+        Two<Real> sum_dv(Real(0));
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto weighted = [&](const std::array<Real, 4>& w) {
+                const auto term = [&](std::size_t j) {
+                    return Two<Real>(c[4 * i + j]) * Two<Real>(w[j]);
+                };
+                return term(0) + term(1) + term(2) + term(3);
+            };
+            const Two<Real> at = weighted(u.value);
+            const Two<Real> slope = weighted(u.slope);
+            sum = sum + Two<Real>(v.value[i]) * at;
+            sum_du = sum_du + Two<Real>(v.value[i]) * slope;
+            sum_dv = sum_dv + Two<Real>(v.slope[i]) * at;
+        }
+        value = sum.numbers();
+        du = sum_du.numbers();
+        dv = sum_dv.numbers();
+    }
+};
+
 /// Both halves of a row or column of four coefficients, `step` apart.
 template <class Real>
 void halve(const std::array<Real, 16>& c, std::size_t first, std::size_t step,
@@ -98,6 +126,34 @@ void halve(const std::array<Real, 16>& c, bool along_u, std::array<Real, 16>& lo
     for (std::size_t k = 0; k < 4; ++k) halve(c, along_u ? 4 * k : k, along_u ? 1 : 4, low, high);
 }
 
+/// The same of points in the plane.
+template <class Real>
+void halve(const PlaneNet<Real>& c, bool along_u, PlaneNet<Real>& low, PlaneNet<Real>& high) {
+    const std::size_t step = along_u ? 1 : 4;
+    const auto mean = [](const Two<Real>& a, const Two<Real>& b) {
+        return (a + b) * Two<Real>(Real(0.5));
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t first = along_u ? 4 * k : k;
+        const Two<Real> a(c[first]);
+        const Two<Real> b(c[first + step]);
+        const Two<Real> d(c[first + 2 * step]);
+        const Two<Real> e(c[first + 3 * step]);
+        const Two<Real> ab = mean(a, b);
+        const Two<Real> bd = mean(b, d);
+        const Two<Real> de = mean(d, e);
+        const Two<Real> abd = mean(ab, bd);
+        const Two<Real> bde = mean(bd, de);
+        low[first] = a.numbers();
+        low[first + step] = ab.numbers();
+        low[first + 2 * step] = abd.numbers();
+        low[first + 3 * step] = high[first] = mean(abd, bde).numbers();
+        high[first + step] = bde.numbers();
+        high[first + 2 * step] = de.numbers();
+        high[first + 3 * step] = e.numbers();
+    }
+}
+
 /// Calls found(PlaneZero) for every zero. Near a place where two zeros meet (the line grazes the
 /// patch) or where the map stands still (a pole) what cannot be told apart is reported as one, or
 /// several times; its slack then covers it all.
@@ -112,23 +168,23 @@ class PlaneZeros {
     void search(const PlaneNet<Real>& c, Real u0 = 0, Real v0 = 0, Real du = 1, Real dv = 1) {
         using std::abs;
         // The mean slopes, by the corners.
-        const Real ux = ((c.x[3] - c.x[0]) + (c.x[15] - c.x[12])) / 2;
-        const Real uy = ((c.y[3] - c.y[0]) + (c.y[15] - c.y[12])) / 2;
-        const Real vx = ((c.x[12] - c.x[0]) + (c.x[15] - c.x[3])) / 2;
-        const Real vy = ((c.y[12] - c.y[0]) + (c.y[15] - c.y[3])) / 2;
+        const Real ux = ((c[3][0] - c[0][0]) + (c[15][0] - c[12][0])) / 2;
+        const Real uy = ((c[3][1] - c[0][1]) + (c[15][1] - c[12][1])) / 2;
+        const Real vx = ((c[12][0] - c[0][0]) + (c[15][0] - c[3][0])) / 2;
+        const Real vy = ((c[12][1] - c[0][1]) + (c[15][1] - c[3][1])) / 2;
         const Real det = ux * vy - vx * uy;
         if (abs(det) > (abs(ux) + abs(vx) + abs(uy) + abs(vy)) * noise_ * 2) {
             const PlaneNet<Real> q = mapped(c, vy / det, -vx / det, -uy / det, ux / det);
             const Real slack_u = (abs(vy) + abs(vx)) / abs(det) * noise_;
             const Real slack_v = (abs(uy) + abs(ux)) / abs(det) * noise_;
-            if (is_apart(q.x, slack_u) || is_apart(q.y, slack_v)) return;
+            if (is_apart(q, {slack_u, slack_v})) return;
             const Real off = contraction(q);
             if (off < Real(0.75)) {
                 newton(q, off, slack_u, slack_v, u0, v0, du, dv);
                 return;
             }
         } else {
-            if (is_apart(c.x, noise_) || is_apart(c.y, noise_)) return;
+            if (is_apart(c, {noise_, noise_})) return;
             if (is_on_a_line(c)) {
                 // A flat patch seen edge-on shows nothing. Of one that bends, such a part is where
                 // the ray runs along it: no gap there.
@@ -145,8 +201,7 @@ class PlaneZeros {
         }
         PlaneNet<Real> low;
         PlaneNet<Real> high;
-        halve(c.x, by_u, low.x, high.x);
-        halve(c.y, by_u, low.y, high.y);
+        halve(c, by_u, low, high);
         if (by_u) {
             du /= 2;
             search(low, u0, v0, du, dv);
@@ -164,41 +219,52 @@ class PlaneZeros {
     }
 
     static PlaneNet<Real> mapped(const PlaneNet<Real>& c, Real xx, Real xy, Real yx, Real yy) {
+        const Two<Real> by_x(std::array{xx, yx});
+        const Two<Real> by_y(std::array{xy, yy});
         PlaneNet<Real> q;
-        for (std::size_t i = 0; i < 16; ++i) {
-            q.x[i] = xx * c.x[i] + xy * c.y[i];
-            q.y[i] = yx * c.x[i] + yy * c.y[i];
-        }
+        for (std::size_t i = 0; i < 16; ++i)
+            q[i] = (by_x * Two<Real>(c[i][0]) + by_y * Two<Real>(c[i][1])).numbers();
         return q;
     }
 
-    /// All coefficients on one side of zero, and farther than `slack`: no zero (convex hull).
-    static bool is_apart(const std::array<Real, 16>& c, Real slack) {
-        Real low = c[0];
-        Real high = c[0];
-        for (const Real x : c) {
-            low = x < low ? x : low;
-            high = x > high ? x : high;
+    /// In one coordinate all points are on one side of zero, and farther than its `slack`: no zero
+    /// (convex hull).
+    static bool is_apart(const PlaneNet<Real>& c, const std::array<Real, 2>& slack) {
+        Two<Real> low(c[0]);
+        Two<Real> high(c[0]);
+        for (std::size_t i = 1; i < 16; ++i) {
+            low = smaller(Two<Real>(c[i]), low);
+            high = larger(Two<Real>(c[i]), high);
         }
-        return low > slack || high < -slack;
+        const Two<Real> most(slack);
+        return (less(most, low) | less(high, Two<Real>(Real(0)) - most)) != 0;
+    }
+
+    /// The sizes where they are larger than `most`.
+    static Two<Real> larger_size(const Two<Real>& x, const Two<Real>& most) {
+        return larger(x, larger(Two<Real>(Real(0)) - x, most));
+    }
+    static Two<Real> difference(const PlaneNet<Real>& c, std::size_t to, std::size_t from) {
+        return Two<Real>(c[to]) - Two<Real>(c[from]);
     }
 
     /// The largest difference of the map's slopes from the identity's, in the maximum norm.
     static Real contraction(const PlaneNet<Real>& q) {
-        using std::abs;
-        Real xu = 0, xv = 0, yu = 0, yv = 0;
-        const auto keep = [](Real& most, Real x) { most = abs(x) > most ? abs(x) : most; };
+        const Two<Real> three(Real(3));
+        const Two<Real> one_x(std::array{Real(1), Real(0)});
+        const Two<Real> one_y(std::array{Real(0), Real(1)});
+        Two<Real> by_u(Real(0));
+        Two<Real> by_v(Real(0));
         for (std::size_t i = 0; i < 4; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
                 const std::size_t along = 4 * i + j;
                 const std::size_t across = 4 * j + i;
-                keep(xu, 3 * (q.x[along + 1] - q.x[along]) - 1);
-                keep(yu, 3 * (q.y[along + 1] - q.y[along]));
-                keep(xv, 3 * (q.x[across + 4] - q.x[across]));
-                keep(yv, 3 * (q.y[across + 4] - q.y[across]) - 1);
+                by_u = larger_size(three * difference(q, along + 1, along) - one_x, by_u);
+                by_v = larger_size(three * difference(q, across + 4, across) - one_y, by_v);
             }
         }
-        return xu + xv > yu + yv ? xu + xv : yu + yv;
+        const std::array<Real, 2> row = (by_u + by_v).numbers();
+        return row[0] > row[1] ? row[0] : row[1];
     }
 
     /// All points on a line, as far as rounding shows.
@@ -206,33 +272,30 @@ class PlaneZeros {
         using std::abs;
         std::size_t far = 0;
         const auto reach = [&](std::size_t i) {
-            return abs(c.x[i] - c.x[0]) + abs(c.y[i] - c.y[0]);
+            return abs(c[i][0] - c[0][0]) + abs(c[i][1] - c[0][1]);
         };
         for (std::size_t i = 1; i < 16; ++i) far = reach(i) > reach(far) ? i : far;
-        const Real dx = c.x[far] - c.x[0];
-        const Real dy = c.y[far] - c.y[0];
+        const Real dx = c[far][0] - c[0][0];
+        const Real dy = c[far][1] - c[0][1];
         const Real size = abs(dx) + abs(dy);
         if (!(size > 4 * noise_)) return false;
         for (std::size_t i = 1; i < 16; ++i) {
-            if (abs(dx * (c.y[i] - c.y[0]) - dy * (c.x[i] - c.x[0])) > 2 * noise_ * size)
+            if (abs(dx * (c[i][1] - c[0][1]) - dy * (c[i][0] - c[0][0])) > 2 * noise_ * size)
                 return false;
         }
         return true;
     }
 
     static Real longest_step(const PlaneNet<Real>& c, std::size_t step) {
-        using std::abs;
-        Real most = 0;
+        Two<Real> most(Real(0));
         for (std::size_t i = 0; i < 4; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
                 const std::size_t k = step == 1 ? 4 * i + j : 4 * j + i;
-                const Real x = abs(c.x[k + step] - c.x[k]);
-                const Real y = abs(c.y[k + step] - c.y[k]);
-                const Real size = x > y ? x : y;
-                most = size > most ? size : most;
+                most = larger_size(difference(c, k + step, k), most);
             }
         }
-        return most;
+        const std::array<Real, 2> size = most.numbers();
+        return size[0] > size[1] ? size[0] : size[1];
     }
 
     static Real clamped(Real s) { return s < 0 ? Real(0) : s > 1 ? Real(1) : s; }
@@ -252,20 +315,20 @@ class PlaneZeros {
         for (int i = 0; i < steps; ++i) {
             const CubicBasis<Real> bu(u);
             const CubicBasis<Real> bv(v);
-            const BicubicValue<Real> x(q.x, bu, bv);
-            const BicubicValue<Real> y(q.y, bu, bv);
+            const PlaneValue<Real> at(q, bu, bv);
+            const auto [x, y] = at.value;
             // A zero is at most |q| / (1 - off) away, and near (u - x, v - y).
-            const Real qx = abs(x.value);
-            const Real qy = abs(y.value);
+            const Real qx = abs(x);
+            const Real qy = abs(y);
             const Real around = off / (1 - off) * (qx > qy ? qx : qy);
-            if (u - x.value - around > 1 + beyond_u || u - x.value + around < -beyond_u) return;
-            if (v - y.value - around > 1 + beyond_v || v - y.value + around < -beyond_v) return;
-            Real step_u = x.value;
-            Real step_v = y.value;
+            if (u - x - around > 1 + beyond_u || u - x + around < -beyond_u) return;
+            if (v - y - around > 1 + beyond_v || v - y + around < -beyond_v) return;
+            Real step_u = x;
+            Real step_v = y;
             if (i < newton_steps) {
-                const Real det = x.du * y.dv - x.dv * y.du;
-                step_u = (x.value * y.dv - x.dv * y.value) / det;
-                step_v = (x.du * y.value - x.value * y.du) / det;
+                const Real det = at.du[0] * at.dv[1] - at.dv[0] * at.du[1];
+                step_u = (x * at.dv[1] - at.dv[0] * y) / det;
+                step_v = (at.du[0] * y - x * at.du[1]) / det;
             }
             const Real next_u = clamped(u - step_u);
             const Real next_v = clamped(v - step_v);
