@@ -16,6 +16,7 @@
 #include "tracer/recursion/whitted.h"
 #include "tracer/samples.h"
 #include "tracer/scene/far_camera.h"
+#include "tracer/tile_memory.h"
 #include "tracer/tile_order.h"
 #include "tracer/wide/wide_tracer.h"
 
@@ -279,7 +280,7 @@ class RendererOf final : public RayTreeRenderer {
         }
     }
 
-    /// The same, many rays at a time.
+    /// The same, many rays at a time. The tile is black before.
     void fill(Image& image, const Crop& tile, WideTracer& tracer,
               const CameraFrame<Real>& camera_frame, const View& view, const Crop& crop) const {
         const int n = world_->settings.samples;
@@ -298,9 +299,9 @@ class RendererOf final : public RayTreeRenderer {
                 if (x < tile.width && y < tile.height) use(tile.x + x, tile.y + y);
             }
         };
+        expect_memory(image, tile);
         each_pixel([&](int x, int y) {
             double* pixel = image.pixel(x, y);
-            std::fill(pixel, pixel + 3, 0.0);
             for_each_sample<double>(world_->settings, crop.x + x, crop.y + y,
                                     [&](double at_x, double at_y) {
                                         const auto i = static_cast<std::size_t>(batch.count++);

@@ -125,7 +125,7 @@ inline void slabs_kernel(const Tree& tree, const LaneRay* from, double limit,
     for (int i = 0; i < lanes; ++i) out[i].misses = (boxes.misses >> i & 1) != 0;
     if (boxes.misses == 255) return;
     const Floats last = boxes.parameters(all(limit));
-    const Mask met = enter_box(boxes, tree.nodes[0], 0, last).met;
+    const Mask met = enter_boxes(BoxRayPairs(boxes), tree.nodes[0], 0, both(last)).met;
     for (int i = 0; i < lanes; ++i) {
         for (int a = 0; a < 3; ++a) {
             out[i].enter_origin[a] = lane(boxes.slabs[a].enter_origin, i);

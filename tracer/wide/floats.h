@@ -55,6 +55,28 @@ LANCER_INLINE void set_lane(Floats& a, int i, float x) {
     __builtin_memcpy(reinterpret_cast<char*>(&a) + 4 * i, &x, sizeof x);
 }
 
+/// All ones in the lanes of the mask.
+LANCER_INLINE __m256i spread_32(Mask mask) {
+    const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i bits = _mm256_set1_epi32(static_cast<int>(mask));
+    return _mm256_cmpeq_epi32(_mm256_and_si256(bits, bit), bit);
+}
+/// Eight whole numbers: `yes` in the lanes of the mask, else `no`.
+LANCER_INLINE void put_selected(std::uint32_t* to, Mask mask, const std::uint32_t* yes,
+                                std::uint32_t no) {
+    const __m256i own = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(yes));
+    const __m256i other = _mm256_set1_epi32(static_cast<int>(no));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_blendv_epi8(other, own, spread_32(mask)));
+}
+/// `x` in the lanes of the mask.
+LANCER_INLINE void put_some(std::uint32_t* to, Mask mask, std::uint32_t x) {
+    const __m256i own = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(to));
+    const __m256i other = _mm256_set1_epi32(static_cast<int>(x));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_blendv_epi8(own, other, spread_32(mask)));
+}
+
 /// Which of eight whole numbers are `x`.
 LANCER_INLINE Mask equal(const std::uint32_t* numbers, std::uint32_t x) {
     const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));

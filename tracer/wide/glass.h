@@ -243,7 +243,7 @@ class GlassPacket {
             static_cast<std::uint64_t>(__builtin_popcount(sent & ~reflected));
         const Surfaces& s = surfaces_;
         Starts starts;
-        set_left(scene_, hits_, s, direction, sent, starts);
+        set_left(s, direction, starts);
         around_.put_towards(Around::back(s, rays_, direction), starts.bodies);
         const int first = next.count;
         store_packed(next.origin, first, sent, s.position);

@@ -18,8 +18,8 @@ class NearestHits {
     Numbers u = all(0.0);
     Numbers v = all(0.0);
     Numbers limit = all(infinity);  ///< beyond it nothing belongs to the contact
-    alignas(32) std::uint32_t item[lanes];
-    std::uint32_t face[lanes];
+    alignas(32) std::uint32_t item[lanes]{};
+    alignas(32) std::uint32_t face[lanes]{};
     Mask entering = 0;
     Mask some = 0;    ///< lanes with a hit
     Mask unsure = 0;  ///< lanes that are left to scalar code
@@ -61,10 +61,8 @@ class NearestHits {
         limit = select(taken, reach, limit);
         entering = (entering & ~taken) | (is_entering & taken);
         some |= taken;
-        for_each_lane(taken, [&](int i) {
-            item[i] = of;
-            face[i] = 0;
-        });
+        put_some(item, taken, of);
+        put_some(face, taken, 0);
         return taken;
     }
 
@@ -72,7 +70,7 @@ class NearestHits {
     LANCER_INLINE void set_triangle(Mask taken, std::uint32_t of, const Numbers& at_u,
                                     const Numbers& at_v) {
         if (taken == 0) return;
-        for_each_lane(taken, [&](int i) { face[i] = of; });
+        put_some(face, taken, of);
         u = select(taken, at_u, u);
         v = select(taken, at_v, v);
     }

@@ -20,6 +20,11 @@ struct Floats {
     __m256 v;
 };
 
+/// The same for two boxes at once.
+struct FloatPairs {
+    __m256 first, second;
+};
+
 LANCER_INLINE Numbers all(double x) {
     return {_mm256_set1_pd(x), _mm256_set1_pd(x)};
 }
@@ -119,6 +124,43 @@ LANCER_INLINE void store_some(double* to, Mask mask, const Numbers& a) {
 
 LANCER_INLINE Floats rounded(const Numbers& a) {
     return {_mm256_set_m128(_mm256_cvtpd_ps(a.high), _mm256_cvtpd_ps(a.low))};
+}
+
+LANCER_INLINE FloatPairs both(const Floats& a) {
+    return {a.v, a.v};
+}
+/// Of eight numbers those at `first` and behind it, each in eight lanes.
+LANCER_INLINE FloatPairs both(const float* eight, int first) {
+    return {_mm256_broadcast_ss(eight + first), _mm256_broadcast_ss(eight + first + 1)};
+}
+LANCER_INLINE Floats first_of(const FloatPairs& a) {
+    return {a.first};
+}
+LANCER_INLINE Floats second_of(const FloatPairs& a) {
+    return {a.second};
+}
+LANCER_INLINE FloatPairs operator-(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm256_sub_ps(a.first, b.first), _mm256_sub_ps(a.second, b.second)};
+}
+LANCER_INLINE FloatPairs operator*(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm256_mul_ps(a.first, b.first), _mm256_mul_ps(a.second, b.second)};
+}
+LANCER_INLINE FloatPairs larger(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm256_max_ps(a.first, b.first), _mm256_max_ps(a.second, b.second)};
+}
+LANCER_INLINE FloatPairs smaller(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm256_min_ps(a.first, b.first), _mm256_min_ps(a.second, b.second)};
+}
+LANCER_INLINE FloatPairs where_negative(const FloatPairs& sign, const FloatPairs& yes,
+                                        const FloatPairs& no) {
+    return {_mm256_blendv_ps(no.first, yes.first, sign.first),
+            _mm256_blendv_ps(no.second, yes.second, sign.second)};
+}
+/// The lanes of the first box, then those of the second.
+LANCER_INLINE Mask at_most(const FloatPairs& a, const FloatPairs& b) {
+    const int first = _mm256_movemask_ps(_mm256_cmp_ps(a.first, b.first, _CMP_LE_OQ));
+    const int second = _mm256_movemask_ps(_mm256_cmp_ps(a.second, b.second, _CMP_LE_OQ));
+    return static_cast<Mask>(first | second << 8);
 }
 
 /// elementary::pow, by the function of the same library that gives the same bits.

@@ -24,6 +24,11 @@ struct Floats {
     __m256 v;
 };
 
+/// The same for two boxes at once.
+struct FloatPairs {
+    __m512 v;
+};
+
 LANCER_INLINE Numbers all(double x) {
     return {_mm512_set1_pd(x)};
 }
@@ -101,6 +106,42 @@ LANCER_INLINE void store_some(double* to, Mask mask, const Numbers& a) {
 
 LANCER_INLINE Floats rounded(const Numbers& a) {
     return {_mm512_cvtpd_ps(a.v)};
+}
+
+LANCER_INLINE FloatPairs both(const Floats& a) {
+    return {_mm512_broadcast_f32x8(a.v)};
+}
+/// Of eight numbers those at `first` and behind it, each in eight lanes.
+LANCER_INLINE FloatPairs both(const float* eight, int first) {
+    const __m512i at =
+        _mm512_inserti32x8(_mm512_set1_epi32(first), _mm256_set1_epi32(first + 1), 1);
+    return {_mm512_permutexvar_ps(at, _mm512_castps256_ps512(_mm256_loadu_ps(eight)))};
+}
+LANCER_INLINE Floats first_of(const FloatPairs& a) {
+    return {_mm512_castps512_ps256(a.v)};
+}
+LANCER_INLINE Floats second_of(const FloatPairs& a) {
+    return {_mm512_extractf32x8_ps(a.v, 1)};
+}
+LANCER_INLINE FloatPairs operator-(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm512_sub_ps(a.v, b.v)};
+}
+LANCER_INLINE FloatPairs operator*(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm512_mul_ps(a.v, b.v)};
+}
+LANCER_INLINE FloatPairs larger(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm512_max_ps(a.v, b.v)};
+}
+LANCER_INLINE FloatPairs smaller(const FloatPairs& a, const FloatPairs& b) {
+    return {_mm512_min_ps(a.v, b.v)};
+}
+LANCER_INLINE FloatPairs where_negative(const FloatPairs& sign, const FloatPairs& yes,
+                                        const FloatPairs& no) {
+    return {_mm512_mask_blend_ps(_mm512_movepi32_mask(_mm512_castps_si512(sign.v)), no.v, yes.v)};
+}
+/// The lanes of the first box, then those of the second.
+LANCER_INLINE Mask at_most(const FloatPairs& a, const FloatPairs& b) {
+    return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
 }
 
 /// elementary::pow, by the function of the same library that gives the same bits.

@@ -109,13 +109,9 @@ LANCER_INLINE Numbers highlight(const Surfaces& s, const Vectors& ray_dir, const
 }
 
 /// Items that rays in these directions leave for good: left_for_good().
-LANCER_INLINE void set_left(const Scene& scene, const NearestHits& hits, const Surfaces& s,
-                            const Vectors& direction, Mask mask, Starts& starts) {
+LANCER_INLINE void set_left(const Surfaces& s, const Vectors& direction, Starts& starts) {
     const Mask outward = less(all(0.0), dot(s.geometric, direction));
-    for (int i = 0; i < lanes; ++i) starts.left[i] = nothing;
-    for_each_lane(mask & outward, [&](int i) {
-        if (scene.items[hits.item[i]].convex) starts.left[i] = hits.item[i];
-    });
+    put_selected(starts.left, outward, s.convex, nothing);
 }
 
 /// What is around rays before and behind what they hit.
@@ -168,7 +164,7 @@ inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, con
         if (light.shadows) {
             job.counts.shadow += static_cast<std::uint64_t>(__builtin_popcount(lit));
             const Rays to_light = make_rays(s.position, s.position_lo, at.direction, s.error);
-            set_left(scene, hits, s, at.direction, lit, starts);
+            set_left(s, at.direction, starts);
             if (around != nullptr)
                 around->put_towards(Around::back(s, r, at.direction), starts.bodies);
             lit = ShadowQuery(job, to_light, starts, at.distance, job.last_in_the_way[i])

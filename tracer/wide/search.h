@@ -80,27 +80,48 @@ template <class Limit, class Leaf>
     }
 }
 
-/// A box by eight rays: the parameters at which they may enter it, and which of them may.
-struct Entry {
-    Floats near;
-    Mask met;
+/// BoxRays, twice.
+struct BoxRayPairs {
+    struct Slab {
+        FloatPairs enter_origin, leave_origin, enter_inverse, leave_inverse;
+        bool minus, one_sign;
+    } slabs[3];
+
+    LANCER_INLINE explicit BoxRayPairs(const BoxRays& rays) {
+        for (int a = 0; a < 3; ++a) {
+            const BoxRays::Slab& s = rays.slabs[a];
+            slabs[a] = {both(s.enter_origin),
+                        both(s.leave_origin),
+                        both(s.enter_inverse),
+                        both(s.leave_inverse),
+                        s.minus,
+                        s.one_sign};
+        }
+    }
 };
-LANCER_INLINE Entry enter_box(const BoxRays& rays, const Node& node, int c, const Floats& last) {
-    Floats near = all(0.0F);
-    Floats far = last;
+
+/// Two boxes by eight rays: the parameters at which they may enter each, and which of them may.
+struct Entries {
+    FloatPairs near;
+    Mask met;  ///< of the first box, then of the second
+};
+LANCER_INLINE Entries enter_boxes(const BoxRayPairs& rays, const Node& node, int c,
+                                  const FloatPairs& last) {
+    FloatPairs near = both(all(0.0F));
+    FloatPairs far = last;
     for (int a = 0; a < 3; ++a) {
-        const BoxRays::Slab& slab = rays.slabs[a];
-        Floats enter = all(slab.minus ? node.max[a][c] : node.min[a][c]);
-        Floats leave = all(slab.minus ? node.min[a][c] : node.max[a][c]);
+        const BoxRayPairs::Slab& slab = rays.slabs[a];
+        FloatPairs enter = both(slab.minus ? node.max[a] : node.min[a], c);
+        FloatPairs leave = both(slab.minus ? node.min[a] : node.max[a], c);
         if (!slab.one_sign) {  // the one is the maximum, the other the minimum
-            const Floats low = leave;
+            const FloatPairs low = leave;
             leave = where_negative(slab.leave_inverse, low, enter);
             enter = where_negative(slab.leave_inverse, enter, low);
         }
         near = larger((enter - slab.enter_origin) * slab.enter_inverse, near);
         far = smaller((leave - slab.leave_origin) * slab.leave_inverse, far);
     }
-    return {near, at_most(near, far * all(far_factor))};
+    return {near, at_most(near, far * both(all(far_factor)))};
 }
 
 /// Calls leaf(first, count, mask) for the leaves that rays of `active` may meet at a parameter in
@@ -111,6 +132,7 @@ void traverse(const Tree& tree, const Rays& r, Mask& active, const Numbers& limi
     const BoxRays rays(tree, r, active, limit);
     Mask mask = active & ~rays.misses;
     if (mask == 0) return;
+    const BoxRayPairs pairs(rays);
     struct Waiting {
         Floats near;
         std::uint32_t child, count;
@@ -135,14 +157,21 @@ void traverse(const Tree& tree, const Rays& r, Mask& active, const Numbers& limi
         } else {
             const Node& node = tree.nodes[child];
             const int base = top;
-            for (int c = 0; c < 8 && node.child[c] != nothing; ++c) {
-                const Entry entry = enter_box(rays, node, c, last);
-                const Mask met = entry.met & mask;
-                if (met == 0) continue;
-                const float key = lane(entry.near, __builtin_ctz(met));
+            const auto wait = [&](int c, const Floats& near, Mask met) {
+                const float key = lane(near, __builtin_ctz(met));
                 int at = top++;
                 for (; at > base && stack[at - 1].key < key; --at) stack[at] = stack[at - 1];
-                stack[at] = {entry.near, node.child[c], node.count[c], met, key};
+                stack[at] = {near, node.child[c], node.count[c], met, key};
+            };
+            const FloatPairs most = both(last);
+            // Empty slots are the last ones, and no ray meets their boxes.
+            for (int c = 0; c < 8 && node.child[c] != nothing; c += 2) {
+                const Entries entries = enter_boxes(pairs, node, c, most);
+                const Mask first = entries.met & mask;
+                const Mask second = entries.met >> 8 & mask;
+                if (first != 0) wait(c, first_of(entries.near), first);
+                if (second != 0 && node.child[c + 1] != nothing)
+                    wait(c + 1, second_of(entries.near), second);
             }
         }
         do {

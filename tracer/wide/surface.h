@@ -14,7 +14,8 @@ struct Surfaces {
     Vectors position, position_lo, geometric, normal, color, reflection, own;
     Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness, metallic;
     Numbers ior, fresnel;
-    SurfacePoints* points;  ///< null: nobody asks
+    alignas(32) std::uint32_t convex[lanes];  ///< the items of the hits that are, else `nothing`
+    SurfacePoints* points;                    ///< null: nobody asks
 
     LANCER_INLINE void note(Mask mask, const Vectors& anchor, const Vectors& offset,
                             const Numbers& of_point) {

@@ -37,17 +37,18 @@ LANCER_INLINE void give_finish(const Finish& f, Surfaces& s, const Give& give) {
 
 LANCER_INLINE void put_finishes(const Scene& scene, const NearestHits& hits, Mask mask,
                                 Surfaces& s) {
-    const std::uint32_t first = scene.items[hits.item[__builtin_ctz(mask)]].material;
-    bool one = true;
-    for_each_lane(mask, [&](int i) { one = one && scene.items[hits.item[i]].material == first; });
-    if (one) {
-        give_finish(scene.finishes[first], s, [](auto& to, const auto& from) { to = all(from); });
-        return;
+    alignas(32) std::uint32_t materials[lanes]{};
+    for_each_lane(mask, [&](int i) { materials[i] = scene.items[hits.item[i]].material; });
+    const std::uint32_t first = materials[__builtin_ctz(mask)];
+    give_finish(scene.finishes[first], s, [](auto& to, const auto& from) { to = all(from); });
+    mask &= ~equal(materials, first);
+    while (mask != 0) {
+        const std::uint32_t next = materials[__builtin_ctz(mask)];
+        const Mask same = mask & equal(materials, next);
+        give_finish(scene.finishes[next], s,
+                    [same](auto& to, const auto& from) { to = select(same, all(from), to); });
+        mask &= ~same;
     }
-    for_each_lane(mask, [&](int i) {
-        give_finish(scene.finishes[scene.items[hits.item[i]].material], s,
-                    [i](auto& to, const auto& from) { set_lane(to, i, from); });
-    });
 }
 
 /// The surfaces of the hits in the mask, which is not empty; other lanes hold numbers that nobody
@@ -57,8 +58,9 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     const Scene& scene = *job.scene;
     const Numbers zero = all(0.0);
     const Vectors zeros{zero, zero, zero};
-    s = {zeros, zeros, zeros, zeros, zeros, zeros, zeros, zero, zero,
-         zero,  zero,  zero,  zero,  zero,  zero,  zero,  zero, nullptr};
+    s = {zeros, zeros, zeros, zeros, zeros, zeros, zeros, zero, zero,   zero,
+         zero,  zero,  zero,  zero,  zero,  zero,  zero,  {},   nullptr};
+    put_some(s.convex, 255, nothing);
     put_finishes(scene, hits, mask, s);
     Mask balls = 0;
     Mask planes = 0;
@@ -70,6 +72,7 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     for_each_lane(mask, [&](int i) {
         const Item& item = scene.items[hits.item[i]];
         const Mask bit = Mask(1) << i;
+        if (item.convex) s.convex[i] = hits.item[i];
         if (scene.finishes[item.material].textured) {
             if (scene.texture_of == nullptr || scene.texture_of[hits.item[i]] == nothing) {
                 exact |= bit;

@@ -146,7 +146,7 @@ class Packet {
         if (sent == 0) return;
         job_.counts.reflected += static_cast<std::uint64_t>(__builtin_popcount(sent));
         Starts starts;
-        set_left(scene_, hits_, s, mirror, sent, starts);
+        set_left(s, mirror, starts);
         Wave& next = *next_;
         int to = next.count;
         store_packed(next.origin, to, sent, s.position);
