@@ -12,6 +12,7 @@ namespace {
 /// folder's parent.
 std::string tidied(const std::filesystem::path& path) {
     const std::filesystem::path tidy = path.lexically_normal();
+    if (tidy.native() == path.native()) return tidy.string();  // as nearly always: no question
     std::error_code ignored;
     const bool elsewhere =
         std::filesystem::exists(path, ignored) && !std::filesystem::equivalent(path, tidy, ignored);

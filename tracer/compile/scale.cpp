@@ -1,6 +1,7 @@
 #include "tracer/compile/scale.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "model/parts.h"
 
@@ -51,6 +52,24 @@ struct Extent {
     }
 };
 
+/// extent_of() for all shapes of a scene: a mesh that stands in many places is looked through once.
+class ShapeExtents {
+  public:
+    explicit ShapeExtents(const Scene& scene) : scene_(scene), meshes_(scene.meshes.size(), -1) {}
+
+    double of(const Shape& shape) {
+        const auto* ref = std::get_if<MeshRef>(&shape);
+        if (ref == nullptr) return extent_of(shape, scene_);
+        double& extent = meshes_[ref->mesh];
+        if (extent < 0) extent = extent_of(shape, scene_);
+        return extent;
+    }
+
+  private:
+    const Scene& scene_;
+    std::vector<double> meshes_;  ///< -1: not known yet
+};
+
 }  // namespace
 
 double extent_of(const Shape& shape, const Scene& scene) {
@@ -58,13 +77,14 @@ double extent_of(const Shape& shape, const Scene& scene) {
 }
 
 int scale_exponent(const Scene& scene) {
+    ShapeExtents extents(scene);
     // The largest of exponents, not of values: what a transform makes of 1e300 need not be finite.
     int most = -100000;
     const auto take = [&](double value) {
         if (value > 0) most = std::max(most, -exponent_for(value));
     };
     for_each_part(scene, [&](const Object& object) {
-        const double extent = extent_of(object.shape, scene);
+        const double extent = extents.of(object.shape);
         const Affine<double>& m = scene.transforms[object.transform];
         double growth = 0;
         for (const Vec3d& row : m.rows) growth = std::max(growth, largest(row));
