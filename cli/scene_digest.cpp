@@ -92,8 +92,8 @@ class SceneDigest {
         all(normals, uvs);
     }
     void add(const MeshRef& s) {
-        const auto& [mesh, smooth] = s;
-        all(mesh, smooth);
+        const auto& [mesh, smooth, inside] = s;
+        all(mesh, smooth, inside);
     }
     void add(const PatchRef& s) {
         const auto& [patch] = s;

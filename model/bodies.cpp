@@ -20,7 +20,10 @@ struct HasInside {
     bool operator()(const Cone& cone) const { return cone.capped; }
     bool operator()(const Torus&) const { return true; }
     bool operator()(const Triangle&) const { return false; }
-    bool operator()(const MeshRef& ref) const { return is_closed(*scene.meshes[ref.mesh]); }
+    bool operator()(const MeshRef& ref) const {
+        return ref.inside == Inside::if_closed ? is_closed(*scene.meshes[ref.mesh])
+                                               : ref.inside == Inside::always;
+    }
     bool operator()(const PatchRef&) const { return false; }
     bool operator()(const LatheRef& ref) const {
         const Lathe& lathe = scene.lathes[ref.lathe];
@@ -70,6 +73,14 @@ bool is_closed(const Mesh& mesh) {
 
 bool is_body(const Scene& scene, const Shape& shape) {
     return std::visit(HasInside{scene}, shape);
+}
+
+bool Bodies::holds(const Shape& shape) {
+    const auto* mesh = std::get_if<MeshRef>(&shape);
+    if (mesh == nullptr || mesh->inside != Inside::if_closed) return is_body(scene_, shape);
+    const auto [known, is_new] = closed_.try_emplace(mesh->mesh, false);
+    if (is_new) known->second = is_body(scene_, shape);
+    return known->second;
 }
 
 }  // namespace lancer

@@ -2,6 +2,8 @@
 // and sheets".
 #pragma once
 
+#include <map>
+
 #include "model/scene.h"
 
 namespace lancer {
@@ -16,7 +18,18 @@ bool is_closed(const Mesh& mesh);
 
 /// True for a sphere, box, plane, capped cylinder, cone and prism, a closed mesh, a lathe whose
 /// curve ends on the axis or in itself, and what is made of such bodies. All else is a sheet: it
-/// has no inside.
+/// has no inside. For a mesh the author's word comes before its edges.
 bool is_body(const Scene& scene, const Shape& shape);
+
+/// The same, for many shapes of one scene: each mesh's edges are looked at once.
+class Bodies {
+  public:
+    explicit Bodies(const Scene& scene) : scene_(scene) {}
+    bool holds(const Shape& shape);
+
+  private:
+    const Scene& scene_;
+    std::map<std::uint32_t, bool> closed_;  // by mesh
+};
 
 }  // namespace lancer

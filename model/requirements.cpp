@@ -1,7 +1,6 @@
 #include "model/requirements.h"
 
 #include <algorithm>
-#include <map>
 
 #include "model/bodies.h"
 #include "model/parts.h"
@@ -133,7 +132,7 @@ class Collector {
                     const Demand& demand) {
         const bool absorbs = max_component(m.absorption) > 0;
         const bool matters = transparent || m.ior != 1 || absorbs;
-        const bool medium = matters && is_body_here(object.shape);
+        const bool medium = matters && bodies_.holds(object.shape);
         found_.add_medium(medium);
         if (!medium) return;
         if (transparent || absorbs) found_.add(Feature::media, demand);
@@ -144,16 +143,6 @@ class Collector {
             if (mesh != nullptr && mesh->smooth && settings_.smooth)
                 found_.add(Feature::smooth_media, demand);
         });
-    }
-
-    /// Whether a mesh is closed takes a while to find out, so each is looked at once, and only when
-    /// it matters.
-    bool is_body_here(const Shape& shape) {
-        const auto* ref = std::get_if<MeshRef>(&shape);
-        if (ref == nullptr) return is_body(scene_, shape);
-        const auto [at, is_new] = closed_.try_emplace(ref->mesh, false);
-        if (is_new) at->second = is_body(scene_, shape);
-        return at->second;
     }
 
     void add_lights() {
@@ -169,7 +158,7 @@ class Collector {
     const Settings& settings_;
     Requirements found_;
     std::optional<Demand> first_filter_;
-    std::map<std::uint32_t, bool> closed_;  ///< by mesh
+    Bodies bodies_{scene_};  ///< asked only when it matters: a mesh takes a while
 };
 
 }  // namespace

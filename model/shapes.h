@@ -18,12 +18,16 @@ inline constexpr std::uint32_t none = 0xFFFFFFFF;
 struct Sphere {
     Vec3d center{0, 0, 0};
     double radius = 1;  ///< > 0
+
+    bool operator==(const Sphere&) const = default;
 };
 
 /// Solid box along the axes of its own space.
 struct Box {
     Vec3d min{-1, -1, -1};
     Vec3d max{1, 1, 1};  ///< each component >= that of `min`
+
+    bool operator==(const Box&) const = default;
 };
 
 /// Solid cylinder, or its mantle alone when not capped.
@@ -32,6 +36,8 @@ struct Cylinder {
     Vec3d top{0, 1, 0};  ///< != base
     double radius = 1;   ///< > 0
     bool capped = true;
+
+    bool operator==(const Cylinder&) const = default;
 };
 
 /// Solid cone or truncated cone, or its mantle alone when not capped.
@@ -41,24 +47,32 @@ struct Cone {
     double base_radius = 1;  ///< >= 0; one of the two radii > 0
     double top_radius = 0;   ///< >= 0
     bool capped = true;
+
+    bool operator==(const Cone&) const = default;
 };
 
 /// Solid ring: a tube bent round the y axis of its own space, in the plane y = 0.
 struct Torus {
     double radius = 1;  ///< of the circle in the tube's middle; >= tube
     double tube = 0.5;  ///< radius of the tube, > 0
+
+    bool operator==(const Torus&) const = default;
 };
 
 /// The points p with normal·p = offset·|normal|. Its inside is opposite to the normal.
 struct Plane {
     Vec3d normal{0, 1, 0};  ///< as written: any length but 0
     double offset = 0;
+
+    bool operator==(const Plane&) const = default;
 };
 
 /// One triangle. Normals and uvs, which few triangles have, stand in `Scene::triangle_attributes`.
 struct Triangle {
     std::array<Vec3d, 3> points{};
     std::uint32_t attributes = none;  ///< index into Scene::triangle_attributes
+
+    bool operator==(const Triangle&) const = default;
 };
 
 struct TriangleAttributes {
@@ -66,30 +80,44 @@ struct TriangleAttributes {
     std::optional<std::array<Vec2d, 3>> uvs;
 };
 
+/// Whether a mesh has an inside: as its edges tell (is_closed), or as its author says.
+enum class Inside : std::uint8_t { if_closed, always, never };
+
 /// A mesh of the scene, shown once. Many may show the same mesh.
 struct MeshRef {
     std::uint32_t mesh = 0;  ///< index into Scene::meshes
     bool smooth = true;      ///< interpolate normals
+    Inside inside = Inside::if_closed;
+
+    bool operator==(const MeshRef&) const = default;
 };
 
 /// A bicubic patch or net, index into Scene::patches.
 struct PatchRef {
     std::uint32_t patch = 0;
+
+    bool operator==(const PatchRef&) const = default;
 };
 
 /// A surface of revolution, index into Scene::lathes.
 struct LatheRef {
     std::uint32_t lathe = 0;
+
+    bool operator==(const LatheRef&) const = default;
 };
 
 /// A drawn-up outline, index into Scene::prisms.
 struct PrismRef {
     std::uint32_t prism = 0;
+
+    bool operator==(const PrismRef&) const = default;
 };
 
 /// A solid made of solids, index into Scene::composites.
 struct CompositeRef {
     std::uint32_t composite = 0;
+
+    bool operator==(const CompositeRef&) const = default;
 };
 
 /// The closed set of shapes. Add a line here and the build names every place still missing.

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "model/empty_bodies.h"
 #include "model/open_edges.h"
 #include "model/requirements.h"
 #include "parser/value.h"
@@ -31,38 +32,77 @@ std::string piece_of(const Scene& scene, const Object& object) {
                        named ? scene.material_names[object.material] : "");
 }
 
-}  // namespace
+/// Glass without an inside.
+class MeshAdvice {
+  public:
+    MeshAdvice(const Scene& scene, const std::unordered_set<const Mesh*>& pieces)
+        : scene_(scene), pieces_(pieces) {}
 
-std::vector<Diagnostic> advice_on(const Scene& scene,
-                                  const std::unordered_set<const Mesh*>& pieces) {
-    std::vector<Diagnostic> found;
-    std::map<std::uint32_t, OpenEdges> known;  // by mesh
-    std::set<std::pair<std::uint32_t, std::uint32_t>> places;
-    for (const Object& object : scene.objects) {
+    void add(const Object& object, std::vector<Diagnostic>& found) {
         const auto* mesh = std::get_if<MeshRef>(&object.shape);
-        if (mesh == nullptr) continue;
-        const Material& material = scene.materials[object.material];
+        if (mesh == nullptr || mesh->inside != Inside::if_closed) return;
+        const Material& material = scene_.materials[object.material];
         const bool bends = material.ior != 1;
-        if (!bends && !(max_component(material.absorption) > 0)) continue;
-        if (!lets_light_through(scene, material, true)) continue;
-        const auto [at, is_new] = known.try_emplace(mesh->mesh);
-        if (is_new) at->second = open_edges(*scene.meshes[mesh->mesh]);
+        if (!bends && !(max_component(material.absorption) > 0)) return;
+        if (!lets_light_through(scene_, material, true)) return;
+        const auto [at, is_new] = known_.try_emplace(mesh->mesh);
+        if (is_new) at->second = open_edges(*scene_.meshes[mesh->mesh]);
         const OpenEdges& open = at->second;
-        if (open.count == 0 || !places.emplace(object.place.file, object.place.offset).second)
-            continue;
-        const bool is_piece = pieces.contains(scene.meshes[mesh->mesh].get());
+        if (open.count == 0) return;
+        const bool is_piece = pieces_.contains(scene_.meshes[mesh->mesh].get());
         found.push_back(
             {Severity::warning,
              object.place,
              fmt::format("light passes through {}, but it is not closed: {}, the first from "
                          "{} to {}; so it has no inside, and its {} does nothing",
-                         is_piece ? piece_of(scene, object) : "this mesh", count_of(open),
+                         is_piece ? piece_of(scene_, object) : "this mesh", count_of(open),
                          place_of(open.begin), place_of(open.end), bends ? "ior" : "absorption"),
              is_piece
                  ? "a mesh with several materials is one object for each of them: give glass a "
                    "file of its own, or the mesh one 'material'"
-                 : "close the gap: vertices that ought to be one must be at exactly the same place",
+                 : "close the gap: vertices that ought to be one must be at exactly the same "
+                   "place; or write 'body true' in it: rays that meet the gap then go wrong",
              {}});
+    }
+
+  private:
+    const Scene& scene_;
+    const std::unordered_set<const Mesh*>& pieces_;
+    std::map<std::uint32_t, OpenEdges> known_;  // by mesh
+};
+
+void add_empty_body(const Scene& scene, const Object& object, std::vector<Diagnostic>& found) {
+    const auto* whole = std::get_if<CompositeRef>(&object.shape);
+    if (whole == nullptr) return;
+    const Composite& composite = scene.composites[whole->composite];
+    if (!is_surely_empty(scene, composite)) return;
+    const bool cut = composite.nodes.front().kind == Composite::Kind::subtract;
+    const std::string name =
+        object.name == none ? "" : fmt::format(" '{}'", scene.names[object.name]);
+    found.push_back(
+        {Severity::warning,
+         object.place,
+         fmt::format("nothing is left of this body{}", name),
+         cut ? "what is cut away holds all of its first part; the order counts: the first part "
+               "without all others"
+             : "its parts have no room in common",
+         {}});
+}
+
+}  // namespace
+
+std::vector<Diagnostic> advice_on(const Scene& scene,
+                                  const std::unordered_set<const Mesh*>& pieces) {
+    std::vector<Diagnostic> found;
+    MeshAdvice meshes(scene, pieces);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> told;
+    for (const Object& object : scene.objects) {
+        const std::pair<std::uint32_t, std::uint32_t> place{object.place.file, object.place.offset};
+        if (told.contains(place)) continue;
+        const std::size_t before = found.size();
+        meshes.add(object, found);
+        add_empty_body(scene, object, found);
+        if (found.size() > before) told.insert(place);
     }
     return found;
 }

@@ -10,7 +10,7 @@
 namespace lancer {
 
 /// Warns, once for each place, of meshes that let light through and have an index of refraction or
-/// an absorption, but no inside, as they are not closed.
+/// an absorption, but no inside, as they are not closed; and of bodies of which nothing is left.
 ///
 /// \param pieces  meshes that are one material's share of a file's
 std::vector<Diagnostic> advice_on(const Scene& scene,

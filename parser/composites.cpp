@@ -4,7 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "model/bodies.h"
 #include "parser/report.h"
 #include "parser/scene_builder.h"
 
@@ -46,7 +45,8 @@ struct SheetOf {
         return {
             "a mesh that is not closed",
             "close it: each edge belongs to two faces, and vertices that ought to be one are at "
-            "exactly the same place"};
+            "exactly the same place; or write 'body true' in it: rays that meet a gap then go "
+            "wrong"};
     }
     Sheet operator()(const LatheRef&) const {
         return {
@@ -68,16 +68,7 @@ void SceneBuilder::check_part(const Shape& shape, const Attributes& attributes,
     Node& group = nodes_[groups_.back()];
     group.holds_body = true;
     if (!attributes.shadow) report_.warning(Message::shadow_of_part, place);
-    const auto* mesh = std::get_if<MeshRef>(&shape);
-    bool body = false;
-    if (mesh != nullptr) {
-        const auto [known, is_new] = closed_.try_emplace(mesh->mesh, false);
-        if (is_new) known->second = is_body(scene, shape);
-        body = known->second;
-    } else {
-        body = is_body(scene, shape);
-    }
-    if (body) return;
+    if (bodies_.holds(shape)) return;
     const Sheet sheet = std::visit(SheetOf{}, shape);
     Diagnostic* error = report_.error(Message::sheet_in_body, place, sheet.what);
     if (error != nullptr) error->hint = sheet.hint;

@@ -6,11 +6,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "model/bodies.h"
 #include "model/scene.h"
 #include "parser/meter.h"
 #include "parser/transforms.h"
@@ -43,7 +45,7 @@ class SceneBuilder {
     std::map<std::pair<std::string, bool>, std::uint32_t> image_indices;  ///< path, sRGB
     std::unordered_map<const Mesh*, std::uint32_t> mesh_indices;
     /// What a mesh becomes with its file's materials; second: smooth.
-    std::map<std::pair<const Mesh*, bool>, std::vector<Part>> mesh_parts;
+    std::map<std::tuple<const Mesh*, bool, Inside>, std::vector<Part>> mesh_parts;
     std::unordered_set<const Mesh*> pieces;  ///< those that are one material's share of another
 
     /// Objects and lights from here to close_group() are in a new group, or are made one body. What
@@ -108,8 +110,8 @@ class SceneBuilder {
     std::size_t first_light_ = 0;
     /// By the object of the outermost open group that stands for them.
     std::unordered_map<std::size_t, MakeParts> late_parts_;
-    std::vector<bool> absorbed_;                      ///< objects of it that went into a composite
-    std::unordered_map<std::uint32_t, bool> closed_;  ///< by mesh: whether it has an inside
+    std::vector<bool> absorbed_;  ///< objects of it that went into a composite
+    Bodies bodies_{scene};
 };
 
 }  // namespace lancer

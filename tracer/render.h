@@ -10,12 +10,12 @@
 
 #include "base/progress.h"
 #include "model/image.h"
-#include "model/povray_rules.h"
 #include "model/scene.h"
 #include "model/settings.h"
 #include "model/shapes.h"
 #include "tracer/rays/ray_counts.h"
 #include "tracer/rays/trace_limits.h"
+#include "tracer/scene/povray_rules.h"
 #include "tracer/wide/level.h"
 
 namespace lancer {

@@ -90,7 +90,7 @@ std::vector<Part> make_parts(Evaluator& evaluator, const MeshWithMaterials& whol
     }
     std::vector<Part> parts;
     for (std::size_t i = 0; i < contents.size(); ++i) {
-        parts.push_back({MeshRef{mesh_index(builder, meshes[i]), whole.smooth}, 0});
+        parts.push_back({MeshRef{mesh_index(builder, meshes[i]), whole.smooth, whole.inside}, 0});
         if (contents[i] != nullptr)
             parts.back().material = add_material(evaluator, *contents[i], *meshes[i], whole.place);
     }
@@ -156,8 +156,10 @@ MakeParts parts_of(Evaluator& evaluator, const MeshWithMaterials& whole) {
     return [&evaluator, whole, calls = evaluator.report().calls](bool has_material) {
         SceneBuilder& builder = evaluator.builder();
         if (has_material)
-            return std::vector<Part>{{MeshRef{mesh_index(builder, whole.mesh), whole.smooth}}};
-        const auto [at, is_new] = builder.mesh_parts.try_emplace({whole.mesh.get(), whole.smooth});
+            return std::vector<Part>{
+                {MeshRef{mesh_index(builder, whole.mesh), whole.smooth, whole.inside}}};
+        const auto [at, is_new] =
+            builder.mesh_parts.try_emplace({whole.mesh.get(), whole.smooth, whole.inside});
         if (is_new) {
             const std::vector<CallSite> here = std::exchange(evaluator.report().calls, calls);
             at->second = make_parts(evaluator, whole);

@@ -16,6 +16,7 @@ struct MeshWithMaterials {
     std::string path;
     std::shared_ptr<const Mesh> mesh;  ///< of `loaded`, or a copy of it with normals
     bool smooth = true;
+    Inside inside = Inside::if_closed;
     SourceSpan place{};  ///< of the file's name
 };
 

@@ -31,6 +31,15 @@ struct FlagOrAngle {
     }
 };
 
+struct HasInside {
+    static constexpr std::string_view takes = "true or false";
+    static bool read(const Value& value, Inside& out, std::string&) {
+        if (!value.is(Value::Kind::boolean)) return false;
+        out = value.boolean() ? Inside::always : Inside::never;
+        return true;
+    }
+};
+
 }  // namespace rules
 
 namespace blocks {
@@ -44,6 +53,7 @@ struct MeshSpec {
     std::vector<Vec2d> uvs;
     std::vector<Vec3d> colors;
     Smoothing smooth;
+    Inside inside = Inside::if_closed;
 };
 
 constexpr Field mesh_fields[] = {
@@ -59,6 +69,8 @@ constexpr Field mesh_fields[] = {
     field<&MeshSpec::smooth, rules::FlagOrAngle>("smooth", "true; of STL 40",
                                                  "false: flat faces; an angle: edges sharper than "
                                                  "that stay sharp where no normals are given"),
+    field<&MeshSpec::inside, rules::HasInside>(
+        "body", "whether it is closed", "true: has an inside in spite of gaps; false: has none"),
 };
 
 std::string count_of(std::size_t count, std::string_view one, std::string_view more) {
@@ -93,8 +105,8 @@ void check_counts(BlockReader& block, const MeshSpec& spec) {
 
 void add_mesh(BlockReader& block, const std::shared_ptr<const Mesh>& mesh, const MeshSpec& spec,
               const Attributes& attributes) {
-    block.builder().add(MeshRef{mesh_index(block.builder(), mesh), spec.smooth.on}, attributes,
-                        block.place());
+    block.builder().add(MeshRef{mesh_index(block.builder(), mesh), spec.smooth.on, spec.inside},
+                        attributes, block.place());
 }
 
 void add_inline(BlockReader& block, MeshSpec& spec, const Attributes& attributes) {
@@ -176,7 +188,8 @@ void make_mesh(BlockReader& block, std::uint32_t&) {
         add_mesh(block, shown, spec, attributes);
         return;
     }
-    const MeshWithMaterials whole{loaded, path, shown, spec.smooth.on, block.place("file")};
+    const MeshWithMaterials whole{loaded,         path,        shown,
+                                  spec.smooth.on, spec.inside, block.place("file")};
     block.builder().add(parts_of(block.evaluator(), whole), attributes, block.place());
 }
 

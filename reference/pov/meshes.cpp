@@ -193,9 +193,12 @@ bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) 
 
 MeshKey mesh_key(const Writer& writer, const Object& object, const MeshRef& shape, PowerOfTen own) {
     const bool colored = is_of_vertices(writer.scene, writer.scene.materials[object.material]);
-    return {shape.mesh, own.exponent, shape.smooth && writer.scene.settings.smooth,
+    return {shape.mesh,
+            own.exponent,
+            shape.smooth && writer.scene.settings.smooth,
             is_in_pieces(writer, object, *writer.scene.meshes[shape.mesh]),
-            colored ? object.material : none};
+            colored ? object.material : none,
+            shape.inside};
 }
 
 }  // namespace
@@ -223,7 +226,7 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     if (!in_pieces) {
         Mesh2 whole = convert(mesh, smooth, own);
         if (material != none) add_colors(whole, mesh);
-        whole.write(writer, is_closed(mesh),
+        whole.write(writer, is_body(writer.scene, *shape),
                     material != none ? &writer.scene.materials[material] : nullptr);
     }
     if (in_pieces)

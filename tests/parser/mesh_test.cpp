@@ -1,6 +1,8 @@
 // What a mesh block makes of its edges, and what is said of glass that is not closed.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "model/bodies.h"
 #include "tests/parser/script.h"
 
 namespace lancer {
@@ -99,6 +101,29 @@ TEST(MeshBlock, GlassThatIsNotClosedIsAWarning) {
         "mesh { vertices [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] "
         "faces [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] ";
     EXPECT_EQ(test::run(closed + glass + " }").messages, "");
+}
+
+TEST(MeshBlock, BodyIsTheAuthorsWord) {
+    const auto open = test::run(open_box + glass + " body true }");
+    EXPECT_EQ(open.messages, "") << "no warning of gaps";
+    EXPECT_TRUE(is_body(open.scene, open.scene.objects.at(0).shape));
+    EXPECT_FALSE(is_body(test::run(open_box + "}").scene, MeshRef{0}));
+    const std::string closed =
+        "mesh { vertices [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] "
+        "faces [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] ";
+    const auto sheet = test::run(closed + glass + " body false }");
+    EXPECT_EQ(sheet.messages, "") << "it was asked for";
+    EXPECT_FALSE(is_body(sheet.scene, sheet.scene.objects.at(0).shape));
+    // A part of a body may have gaps then, and one mesh may be both.
+    const std::string cut = "difference { box { min [0, 0, 0] max [1, 1, 1] } " + open_box;
+    EXPECT_NE(test::run(cut + "} }").messages, "");
+    EXPECT_EQ(test::run(cut + "body true } }").messages, "");
+    EXPECT_NE(
+        test::run("difference { box { min [0, 0, 0] max [1, 1, 1] } " + closed + "body false } }")
+            .messages,
+        "");
+    EXPECT_THAT(test::run(open_box + "body 1 }").messages,
+                testing::HasSubstr("'body' takes true or false"));
 }
 
 }  // namespace

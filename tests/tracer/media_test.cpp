@@ -278,6 +278,32 @@ TEST(CameraInside, StartsInTheBodiesThatHoldIt) {
     }
 }
 
+TEST(MeshWithAGap, IsABodyWhereItsAuthorSaysSo) {
+    // A tetrahedron without the face towards (1, 1, 1).
+    Mesh open;
+    open.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
+    open.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}};
+    Material m = clear(1);
+    m.absorption = Color(0.5);
+    const auto through = [&](Inside inside, const Vec3d& from, const Vec3d& at) {
+        Scene scene;
+        scene.background = Color(1);
+        scene.settings.min_contribution = 0;
+        scene.meshes.push_back(std::make_shared<Mesh>(open));
+        show(scene, MeshRef{0, false, inside}, m);
+        return seen(scene, from, at);
+    };
+    // In by x = 0 and out by y = 0, a way of sqrt(0.5).
+    const Vec3d from(-1, 1.5, 0.5);
+    const Vec3d at(1, -0.5, 0.5);
+    EXPECT_COLOR_NEAR(through(Inside::if_closed, from, at), Color(1), 1e-12);
+    EXPECT_COLOR_NEAR(through(Inside::never, from, at), Color(1), 1e-12);
+    EXPECT_COLOR_NEAR(through(Inside::always, from, at), Color(std::exp(-0.5 * std::sqrt(0.5))),
+                      1e-12);
+    // In by the gap: nobody knows that the ray is inside.
+    EXPECT_COLOR_NEAR(through(Inside::always, {0.5, 5, 0.5}, {0.5, 0, 0.5}), Color(1), 1e-12);
+}
+
 TEST(CameraOnAFace, BelongsToTheSideThatItsRayGoesTo) {
     Material m = clear(1.5);
     m.absorption = Color(0.5);

@@ -10,11 +10,11 @@
 
 #include "model/diagnostic.h"
 #include "model/patch_net.h"
-#include "model/povray_rules.h"
 #include "model/splines.h"
 #include "tracer/compile/maps.h"
 #include "tracer/compile/scale.h"
 #include "tracer/rays/frame.h"
+#include "tracer/scene/povray_rules.h"
 #include "tracer/scene/world.h"
 #include "tracer/tessellation/tessellate.h"
 

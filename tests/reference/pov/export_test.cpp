@@ -208,6 +208,23 @@ TEST(Export, DeclaresAMeshOnceForAllWhoShowIt) {
     EXPECT_THAT(text, Not(HasSubstr("inside_vector")));
 }
 
+TEST(Export, AMeshWithGapsHasAnInsideWhereItsAuthorSaysSo) {
+    Material glass;
+    glass.transmission = 1;
+    glass.ior = 1.5;
+    for (const Inside inside : {Inside::if_closed, Inside::never, Inside::always}) {
+        Scene scene = empty_scene();
+        Mesh mesh;
+        mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        mesh.faces = {{0, 1, 2}};
+        scene.meshes.push_back(std::make_shared<Mesh>(mesh));
+        add_object(scene, MeshRef{0, false, inside}, add_material(scene, glass));
+        const bool body = inside == Inside::always;
+        EXPECT_EQ(text_of(scene).find("inside_vector") != std::string::npos, body);
+        EXPECT_EQ(text_of(scene).find("ior 1.5") != std::string::npos, body);
+    }
+}
+
 TEST(Export, KeepsMeshesFarFromTheOriginPrecise) {
     Scene scene = empty_scene();
     Mesh mesh;
