@@ -86,6 +86,8 @@ class Lottery {
             Object& object = shape();
             object.casts_shadow = chance(0.9);
         }
+        s_.add(torus(), material(), transform());
+        body();
         return s_.scene;
     }
 
@@ -195,6 +197,30 @@ class Lottery {
             default:
                 return mesh(p, size, m, map);
         }
+    }
+
+    Shape torus() {
+        const double radius = between(0.3, 1);
+        return Torus{radius, radius * between(0.1, 1)};
+    }
+
+    void body() {
+        const auto kind = static_cast<Composite::Kind>(pick(3));
+        const std::uint32_t whole = material();
+        std::vector<Part> parts;
+        for (int i = 0; i < 3; ++i) {
+            Part part{Sphere{{0, 0.5, 0}, between(0.5, 1)}, chance(0.5) ? whole : material(), {}};
+            const Vec3d p(between(-0.5, 0), between(0, 0.5), between(-0.5, 0));
+            const int shape = pick(5);
+            if (shape == 1) part.shape = Box{p, p + Vec3d(1, between(0.3, 1), 1)};
+            if (shape == 2) part.shape = Cylinder{p, p + Vec3d(unit(), 1, 0), between(0.2, 0.8)};
+            if (shape == 3) part.shape = torus();
+            if (shape == 4) part.shape = prism(1);
+            if (shape == 4) s_.scene.prisms.back().capped = true;
+            if (chance(0.5)) part.map = compose(shift({0, 0.3, 0}), turn(pick(3), between(0, 360)));
+            parts.push_back(part);
+        }
+        s_.add_body(kind, parts, whole);
     }
 
     std::uint32_t attributes() {

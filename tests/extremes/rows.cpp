@@ -21,7 +21,7 @@ void PrintTo(const Row& row, std::ostream* out) {
 std::vector<Row> all_rows() {
     std::vector<Row> rows;
     for (std::vector<Row> part :
-         {rows_of_places(), rows_of_gaps(), rows_of_shapes(), rows_of_light()})
+         {rows_of_places(), rows_of_gaps(), rows_of_shapes(), rows_of_light(), rows_of_bodies()})
         rows.insert(rows.end(), part.begin(), part.end());
     return rows;
 }

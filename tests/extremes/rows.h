@@ -48,6 +48,7 @@ std::vector<Row> rows_of_places();  ///< size, position, distance, groups
 std::vector<Row> rows_of_gaps();    ///< thin things, small gaps and none
 std::vector<Row> rows_of_shapes();  ///< rods, apices, needles, leaks
 std::vector<Row> rows_of_light();   ///< grazing, strong, sharp; glass
+std::vector<Row> rows_of_bodies();  ///< joined, intersected, cut
 std::vector<Row> all_rows();
 
 }  // namespace lancer::extremes

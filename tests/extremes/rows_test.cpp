@@ -49,6 +49,7 @@ TEST_P(Rows, AreDrawnInSinglePrecision) {
 INSTANTIATE_TEST_SUITE_P(Places, Rows, testing::ValuesIn(rows_of_places()));
 INSTANTIATE_TEST_SUITE_P(Gaps, Rows, testing::ValuesIn(rows_of_gaps()));
 INSTANTIATE_TEST_SUITE_P(Shapes, Rows, testing::ValuesIn(rows_of_shapes()));
+INSTANTIATE_TEST_SUITE_P(Bodies, Rows, testing::ValuesIn(rows_of_bodies()));
 INSTANTIATE_TEST_SUITE_P(Light, Rows, testing::ValuesIn(rows_of_light()));
 
 }  // namespace

@@ -56,6 +56,22 @@ Object& Stage::add(const Mesh& mesh, std::uint32_t material, const Affine<double
     return add(MeshRef{static_cast<std::uint32_t>(scene.meshes.size() - 1), false}, material, map);
 }
 
+Object& Stage::add_body(Composite::Kind kind, const std::vector<Part>& parts,
+                        std::uint32_t material) {
+    Composite made;
+    made.nodes.push_back({kind, {}, 0, static_cast<std::uint32_t>(parts.size())});
+    for (const Part& part : parts) {
+        Composite::Leaf leaf;
+        leaf.object = add(part.shape, part.material, part.map);
+        scene.objects.pop_back();
+        leaf.texture_space = leaf.object.transform;
+        leaf.place = {0, made.leaves.empty()};
+        made.leaves.push_back(leaf);
+    }
+    scene.composites.push_back(made);
+    return add(CompositeRef{static_cast<std::uint32_t>(scene.composites.size() - 1)}, material);
+}
+
 void Stage::look(const Vec3d& from, const Vec3d& at, double fov, const Vec3d& up) {
     Camera camera;
     camera.position = from;

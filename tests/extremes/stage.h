@@ -8,6 +8,13 @@
 
 namespace lancer::extremes {
 
+/// What a body is made of: a shape, the material of the faces that it brings, where it stands.
+struct Part {
+    Shape shape;
+    std::uint32_t material = 0;
+    Affine<double> map{};
+};
+
 /// A scene under construction, 128 x 96 pixels, one ray each, nothing cut off.
 class Stage {
   public:
@@ -19,6 +26,8 @@ class Stage {
     std::uint32_t glass(double ior, const Color& color = {1, 1, 1});
     Object& add(const Shape& shape, std::uint32_t material, const Affine<double>& map = {});
     Object& add(const Mesh& mesh, std::uint32_t material, const Affine<double>& map = {});
+    /// One body made of these, whose inside is `material`.
+    Object& add_body(Composite::Kind kind, const std::vector<Part>& parts, std::uint32_t material);
     void look(const Vec3d& from, const Vec3d& at, double fov, const Vec3d& up = {0, 1, 0});
     void look_parallel(const Vec3d& from, const Vec3d& at, double height,
                        const Vec3d& up = {0, 1, 0});
