@@ -1,8 +1,11 @@
 #!/bin/bash
-# Many scenes: each task of the array validates every N-th one. What POV-Ray draws is kept in LANCER_CACHE, which all
-# machines must see; a last run without --part takes it from there and writes the report of them all.
+# Many scenes: each task of the array takes every N-th one (of stability, every N-th change). What POV-Ray draws, truths and
+# pictures are kept in LANCER_CACHE, which all machines must see; a last run without --part takes them from there and
+# writes the report of them all.
 #
 #   LANCER_CACHE=/shared/cache sbatch [--array=1-32] sweep.sh REPORT-FOLDER SCENE...
+#
+# LANCER_SWEEP names what is done with each scene: validate (the default), tradeoff or stability.
 #SBATCH --job-name=lancer
 #SBATCH --array=1-8
 #SBATCH --requeue
@@ -11,15 +14,30 @@ set -u
 report=$1
 shift
 lancer=${LANCER-lancer}
+sweep=${LANCER_SWEEP-validate}
+cpus=${SLURM_CPUS_PER_TASK-1}
 : "${LANCER_CACHE:?name a folder that all machines see}"
 export LANCER_CACHE
 
+case $sweep in
+    validate) share=(--jobs "$cpus") last=(--report "$report") ;;
+    tradeoff) share=(--threads "$cpus" --quiet) last=(--report "$report") ;;
+    stability)
+        mkdir -p "$report" || exit
+        share=(--threads "$cpus" --quiet) last=(--json "$report/stability.json")
+        ;;
+    *)
+        echo "sweep.sh: LANCER_SWEEP is '$sweep', not validate, tradeoff or stability" >&2
+        exit 2
+        ;;
+esac
+
 if [ "$SLURM_ARRAY_TASK_ID" = 1 ] && [ "${SLURM_RESTART_COUNT-0}" = 0 ]; then
     sbatch --job-name=lancer-report --dependency="afterany:$SLURM_ARRAY_JOB_ID" \
-        --wrap="$(printf '%q ' "$lancer" validate --report "$report" "$@")" || exit
+        --wrap="$(printf '%q ' "$lancer" "$sweep" "${last[@]}" "$@")" || exit
 fi
 
-"$lancer" validate --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" --jobs "${SLURM_CPUS_PER_TASK-1}" "$@"
+"$lancer" "$sweep" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" "${share[@]}" "$@"
 code=$?
 # 1: a scene differs, which the report says. 75: a passing trouble of this machine.
 [ $code = 75 ] && [ "${SLURM_RESTART_COUNT-0}" -lt 5 ] &&

@@ -75,10 +75,13 @@ LANCER=$place/tired sbatch --array=1-2 -o "animation-%a.out" "$root/examples/slu
     fail "sbatch"
 LANCER=$place/tired LANCER_CACHE=$place/cache sbatch --array=1-2 -o "sweep-%a.out" "$root/examples/slurm/sweep.sh" \
     report ball.lancer other.lancer || fail "sbatch"
+LANCER=$LANCER LANCER_SWEEP=stability LANCER_CACHE=$place/cache sbatch --array=1-2 -o "stability-%a.out" \
+    "$root/examples/slurm/sweep.sh" stable ball.lancer || fail "sbatch"
 wait_for 120 queue_is_empty || fail "the queue did not end"
 "$LANCER" render ball.lancer --frames 1..5 --size 32x24 --resume -o f-%d.png > kept.txt || fail "frames"
 grep -q "wrote 0 pictures, kept 5" kept.txt || fail "frames: $(cat kept.txt)"
 [ -f report/index.html ] || fail "there is no report"
+[ -s stable/stability.json ] || fail "nothing is told of stability"
 [ "$(find . -maxdepth 1 -name 'tired-*' | wc -l)" = 6 ] || fail "not every task has failed once"
 [ -f small.png ] || fail "the small picture was not joined"
 "$LANCER" join small.png.parts/*.exr -o again.png > told.txt || fail "join"
