@@ -1,6 +1,7 @@
 # Headers that most sources read, read once: half of a build's time is reading them. Only the presets
 # `clang` and `asan` ask for it (LANCER_PRECOMPILE); gcc's build reads every source as it is written, and
-# so finds the one that forgets to include what it uses.
+# so finds the one that forgets to include what it uses. Gcc would gain little: 0.5 s a source with fmt's headers, and it
+# loses 7 s with those of the command line's library, whose functions it then looks at in every source.
 option(LANCER_PRECOMPILE "Read common headers once" OFF)
 
 set(lancer_common_headers
