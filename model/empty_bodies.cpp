@@ -1,114 +1,14 @@
 #include "model/empty_bodies.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "model/affine.h"
+#include "model/extent.h"
 
 namespace lancer {
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity();
-
-Vec3d least(const Vec3d& a, const Vec3d& b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-Vec3d most(const Vec3d& a, const Vec3d& b) {
-    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-
-/// A box that holds a body.
-struct Extent {
-    Vec3d min{-inf, -inf, -inf};
-    Vec3d max{inf, inf, inf};
-
-    bool is_empty() const { return min.x >= max.x || min.y >= max.y || min.z >= max.z; }
-    bool is_finite() const { return std::isfinite(dot(min, min) + dot(max, max)); }
-};
-
-Extent around(const Vec3d& center, const Vec3d& half) {
-    return {center - half, center + half};
-}
-
-/// Round a disc across `axis`.
-Extent round_disc(const Vec3d& center, const Vec3d& axis, double radius) {
-    Vec3d half;
-    for (int i = 0; i < 3; ++i)
-        half[i] = radius * std::sqrt(std::max(0.0, 1 - axis[i] * axis[i] / dot(axis, axis)));
-    return around(center, half);
-}
-
-Extent joined(const Extent& a, const Extent& b) {
-    return {least(a.min, b.min), most(a.max, b.max)};
-}
-
-/// Shapes that are not named have no box here, so nothing is concluded from them.
-struct ExtentOf {
-    const Scene& scene;
-
-    Extent operator()(const Sphere& s) const { return around(s.center, Vec3d(s.radius)); }
-    Extent operator()(const Box& b) const { return {b.min, b.max}; }
-    Extent operator()(const Cylinder& c) const {
-        return joined(round_disc(c.base, c.top - c.base, c.radius),
-                      round_disc(c.top, c.top - c.base, c.radius));
-    }
-    Extent operator()(const Cone& c) const {
-        return joined(round_disc(c.base, c.top - c.base, c.base_radius),
-                      round_disc(c.top, c.top - c.base, c.top_radius));
-    }
-    Extent operator()(const Torus& t) const {
-        const double r = t.radius + t.tube;
-        return {{-r, -t.tube, -r}, {r, t.tube, r}};
-    }
-    Extent operator()(const MeshRef& m) const {
-        const auto& vertices = scene.meshes[m.mesh]->vertices;
-        Extent all{vertices.front(), vertices.front()};
-        for (const Vec3d& v : vertices) all = joined(all, {v, v});
-        return all;
-    }
-    template <class Other>
-    Extent operator()(const Other&) const {
-        return {};
-    }
-};
-
-/// The axis from `base` to `top` at the height of `p`: 0 at the base, 1 at the top; and the
-/// distance of `p` from it.
-std::pair<double, double> on_axis(const Vec3d& base, const Vec3d& top, const Vec3d& p) {
-    const Vec3d axis = top - base;
-    const double height = dot(p - base, axis) / dot(axis, axis);
-    return {height, length(p - base - axis * height)};
-}
-
-/// Whether a convex solid holds the point.
-struct Holds {
-    const Vec3d& p;
-
-    bool operator()(const Sphere& s) const { return length(p - s.center) <= s.radius; }
-    bool operator()(const Box& b) const {
-        return least(p, b.min) == b.min && most(p, b.max) == b.max;
-    }
-    bool operator()(const Plane& s) const {
-        return dot(s.normal, p) <= s.offset * length(s.normal);
-    }
-    bool operator()(const Cylinder& c) const {
-        const auto [height, distance] = on_axis(c.base, c.top, p);
-        return 0 <= height && height <= 1 && distance <= c.radius;
-    }
-    bool operator()(const Cone& c) const {
-        const auto [height, distance] = on_axis(c.base, c.top, p);
-        return 0 <= height && height <= 1 &&
-               distance <= c.base_radius + (c.top_radius - c.base_radius) * height;
-    }
-    template <class Other>
-    bool operator()(const Other&) const {
-        return false;
-    }
-};
 
 class Tree {
   public:
@@ -120,12 +20,19 @@ class Tree {
             add(composite.nodes[i].place, {i, false});
     }
 
-    bool is_empty() const { return !extent({0, false}); }
+    Emptiness emptiness() const { return known({0, false}).empty; }
 
   private:
     struct Child {
         std::uint32_t index = 0;
         bool is_leaf = false;
+    };
+    /// What is known of a child: a box round it, or that it is empty.
+    struct Known {
+        Extent box;
+        Emptiness empty = Emptiness::not_known;
+
+        bool is_empty() const { return empty != Emptiness::not_known; }
     };
 
     void add(const Composite::Place& place, Child child) {
@@ -133,46 +40,50 @@ class Tree {
         siblings.insert(place.first ? siblings.begin() : siblings.end(), child);
     }
 
-    /// A box that holds the child; nothing where it is surely empty.
-    std::optional<Extent> extent(Child child) const {
-        if (child.is_leaf) return leaf_extent(composite_.leaves[child.index].object);
+    Known known(Child child) const {
+        if (child.is_leaf) return {leaf_box(composite_.leaves[child.index].object)};
         const auto& parts = children_[child.index];
         if (parts.empty()) return {};
-        std::optional<Extent> whole = extent(parts.front());
-        const Composite::Kind kind = composite_.nodes[child.index].kind;
-        for (std::size_t i = 1; i < parts.size(); ++i) {
-            if (kind == Composite::Kind::subtract) {
-                if (whole && (holds(parts[i], *whole) || are_equal(parts.front(), parts[i])))
-                    whole.reset();
-                continue;
-            }
-            const std::optional<Extent> part = extent(parts[i]);
-            if (kind == Composite::Kind::unite) {
-                if (!whole || !part) {
-                    if (!whole) whole = part;
-                } else {
-                    whole = joined(*whole, *part);
-                }
-            } else if (!whole || !part) {
-                return {};
-            } else {
-                whole = Extent{most(whole->min, part->min), least(whole->max, part->max)};
-                if (whole->is_empty()) return {};
-            }
-        }
+        Known whole = known(parts.front());
+        for (std::size_t i = 1; i < parts.size(); ++i)
+            add_part(composite_.nodes[child.index].kind, parts.front(), parts[i], whole);
         return whole;
     }
 
-    Extent leaf_extent(const Object& leaf) const {
-        const Extent own = std::visit(ExtentOf{scene_}, leaf.shape);
+    /// Goes on from the parts of a node so far to those with one more.
+    void add_part(Composite::Kind kind, Child first, Child next, Known& whole) const {
+        if (kind == Composite::Kind::subtract) {
+            if (!whole.is_empty() && (holds(next, whole.box) || are_equal(first, next)))
+                whole.empty = Emptiness::cut_away;
+            return;
+        }
+        const Known part = known(next);
+        if (kind == Composite::Kind::unite) {
+            if (whole.is_empty()) {
+                whole = part;
+            } else if (!part.is_empty()) {
+                whole.box = joined(whole.box, part.box);
+            }
+            return;
+        }
+        if (whole.is_empty()) return;
+        if (part.is_empty()) {
+            whole = part;
+            return;
+        }
+        whole.box = common(whole.box, part.box);
+        if (whole.box.is_inside_out()) whole.empty = Emptiness::apart;
+    }
+
+    Extent leaf_box(const Object& leaf) const {
+        const Extent own = shape_extent(leaf.shape);
         if (!own.is_finite()) return {};
         const Affine<double>& map = scene_.transforms[leaf.transform];
         return around(map_point(map, (own.min + own.max) * 0.5),
                       map_bound(map, (own.max - own.min) * 0.5));
     }
 
-    /// Whether all of the box lies in the child. Rounding may decide for a box that touches from
-    /// within; then at most a skin of one rounding is left.
+    /// Whether all of the box lies in the child, but for what rounding did to both.
     bool holds(Child child, const Extent& box) const {
         if (!box.is_finite()) return false;
         if (child.is_leaf) return leaf_holds(composite_.leaves[child.index].object, box);
@@ -194,7 +105,7 @@ class Tree {
         for (int corner = 0; corner < 8; ++corner) {
             Vec3d p;
             for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1) != 0 ? box.max[i] : box.min[i];
-            if (!std::visit(Holds{map_point(back, p)}, leaf.shape)) return false;
+            if (!convex_holds(leaf.shape, map_point(back, p))) return false;
         }
         return true;
     }
@@ -214,8 +125,8 @@ class Tree {
 
 }  // namespace
 
-bool is_surely_empty(const Scene& scene, const Composite& composite) {
-    return Tree(scene, composite).is_empty();
+Emptiness emptiness_of(const Scene& scene, const Composite& composite) {
+    return Tree(scene, composite).emptiness();
 }
 
 }  // namespace lancer

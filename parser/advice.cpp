@@ -74,18 +74,18 @@ class MeshAdvice {
 void add_empty_body(const Scene& scene, const Object& object, std::vector<Diagnostic>& found) {
     const auto* whole = std::get_if<CompositeRef>(&object.shape);
     if (whole == nullptr) return;
-    const Composite& composite = scene.composites[whole->composite];
-    if (!is_surely_empty(scene, composite)) return;
-    const bool cut = composite.nodes.front().kind == Composite::Kind::subtract;
+    const Emptiness why = emptiness_of(scene, scene.composites[whole->composite]);
+    if (why == Emptiness::not_known) return;
     const std::string name =
         object.name == none ? "" : fmt::format(" '{}'", scene.names[object.name]);
     found.push_back(
         {Severity::warning,
          object.place,
          fmt::format("nothing is left of this body{}", name),
-         cut ? "what is cut away holds all of its first part; the order counts: the first part "
-               "without all others"
-             : "its parts have no room in common",
+         why == Emptiness::apart
+             ? "parts of an intersection have no room in common"
+             : "what is cut away holds all that it is cut from; a difference is its first part "
+               "without all others",
          {}});
 }
 

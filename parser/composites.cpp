@@ -41,7 +41,9 @@ struct SheetOf {
     Sheet operator()(const PatchRef&) const {
         return {"a patch", "a lathe, a prism and a closed mesh have an inside"};
     }
-    Sheet operator()(const MeshRef&) const {
+    Sheet operator()(const MeshRef& mesh) const {
+        if (mesh.inside == Inside::never)
+            return {"a mesh with 'body false'", "leave 'body false' out"};
         return {
             "a mesh that is not closed",
             "close it: each edge belongs to two faces, and vertices that ought to be one are at "
