@@ -265,8 +265,11 @@ SurfacePoint<Real> surface_point(const TorusSolid<Real>& torus, const Ray<Real>&
     up = distance > 0 ? up / distance : Real(0);
     SurfacePoint<Real> p;
     p.anchor = Vec3<Real>(torus.ring * cosine, 0, torus.ring * sine) * torus.grow;
-    p.normal = Vec3<Real>(out * cosine, up, out * sine);
-    p.offset = p.normal * (torus.tube * torus.grow);
+    const Vec3<Real> outward(out * cosine, up, out * sine);
+    p.offset = outward * (torus.tube * torus.grow);
+    // Of a length that no power of two makes 1: unit() then does the same to it in the world and in
+    // a space of the torus's own, where it would leave alone what is unit in only one of them.
+    p.normal = outward * Real(1.5);
     p.error = gamma<Real>(8) * (torus.reach() * torus.grow);
     p.shading = p.normal;
     p.parameter = Vec2<Real>(turn(sine, cosine), turn(-up, -out));
