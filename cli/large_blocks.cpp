@@ -1,16 +1,29 @@
 // Large blocks of memory lie in large pages, in the whole program: pictures, trees and meshes are
 // read in any order, and a processor finds its way through few pages faster than through many; the
-// system hands them out faster, too. A system without large pages on demand loses nothing.
+// system hands them out faster, too. Without large pages on demand, a block costs at most 4 MB in
+// place of 2.
 #include <cstdlib>
 #include <new>
 
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
+
+#ifdef __GLIBC__
+/// A large block goes back to the system as soon as it is freed. The library's own limit for that
+/// grows with each block that is freed: a scene with a million triangles then took 30 MB more.
+/// Fixing it fixes the limit for giving back the rest, too, which would be smaller than many
+/// blocks.
+[[maybe_unused]] const bool limits_are_fixed =
+    mallopt(M_MMAP_THRESHOLD, large_page) != 0 && mallopt(M_TRIM_THRESHOLD, 2 * large_page) != 0;
+#endif
 
 void* allocate_large(std::size_t bytes) {
     if (bytes > std::size_t(-1) - large_page) return nullptr;

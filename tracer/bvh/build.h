@@ -32,6 +32,7 @@ class Builder {
             for (int i = 0; next(i);)
                 build(subtrees_[static_cast<std::size_t>(i)], below[static_cast<std::size_t>(i)]);
         });
+        for (auto& side : boxes_) side.reset();  // as large as what numbering copies
         number(0, below, nodes);
     }
 
