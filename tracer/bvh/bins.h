@@ -82,9 +82,9 @@ class Bins {
     /// The cheapest of the 3 x 15 planes between bins.
     Plane best() const {
         Plane best;
-        Number best_cost = std::numeric_limits<Number>::infinity();
+        Area<Number> best_cost = std::numeric_limits<Area<Number>>::infinity();
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            std::array<Number, bins> right_cost;
+            std::array<Area<Number>, bins> right_cost;
             Hull<Number> hull;
             std::uint32_t count = 0;
             for (unsigned left = filled_[axis]; left != 0;) {
@@ -92,7 +92,7 @@ class Bins {
                 left ^= 1U << i;
                 hull.extend(box_[axis][i]);
                 count += count_[axis][i];
-                right_cost[i] = hull.half_area() * static_cast<Number>(count);
+                right_cost[i] = hull.half_area() * static_cast<Area<Number>>(count);
             }
             hull = {};
             count = 0;
@@ -102,8 +102,9 @@ class Bins {
                 if (left == 0) break;
                 hull.extend(box_[axis][i]);
                 count += count_[axis][i];
-                const Number cost = hull.half_area() * static_cast<Number>(count) +
-                                    right_cost[static_cast<std::size_t>(std::countr_zero(left))];
+                const Area<Number> cost =
+                    hull.half_area() * static_cast<Area<Number>>(count) +
+                    right_cost[static_cast<std::size_t>(std::countr_zero(left))];
                 if (cost < best_cost) {
                     best_cost = cost;
                     best = {axis, i, count};

@@ -60,6 +60,10 @@ struct MovingBox {
     Four<Number> center() const { return Four<Number>(low) + Four<Number>(high); }
 };
 
+/// Of boxes in float in double: small boxes among large ones have squares that float does not.
+template <class Number>
+using Area = std::conditional_t<(sizeof(Number) < sizeof(double)), double, Number>;
+
 /// What holds some boxes or points. The fourth numbers mean nothing.
 template <class Number>
 struct Hull {
@@ -76,9 +80,10 @@ struct Hull {
     }
 
     /// Half the surface: what the surface-area heuristic compares.
-    Number half_area() const {
-        const std::array<Number, 4> d = (high - low).numbers();
-        return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+    Area<Number> half_area() const {
+        const std::array<Number, 4> side = (high - low).numbers();
+        const auto d = [&](std::size_t axis) { return static_cast<Area<Number>>(side[axis]); };
+        return d(0) * d(1) + d(1) * d(2) + d(2) * d(0);
     }
     template <class Real>
     Bounds<Real> bounds() const {

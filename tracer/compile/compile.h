@@ -278,19 +278,19 @@ class Compiler {
     /// A test of a box costs a few instructions, a ray in the space of a mesh or a patch some
     /// hundred: where most are such, each has a box of its own.
     std::uint32_t most_in_leaf() const {
-        std::uint32_t dear = 0;
+        std::uint32_t expensive = 0;
         for (std::uint32_t i = 0; i < world_->bounded; ++i) {
             const Solid<Real>& solid = world_->primitives[i].solid;
-            dear += std::holds_alternative<MeshInstance<Real>>(solid) ||
+            expensive += std::holds_alternative<MeshInstance<Real>>(solid) ||
                     std::holds_alternative<BicubicSolid<Real>>(solid) ||
                     std::holds_alternative<PatchSolid<Real>>(solid) ||
                     std::holds_alternative<LatheSolid<Real>>(solid);
         }
-        return dear > world_->bounded / 2 ? 1 : 2;
+        return expensive > world_->bounded / 2 ? 1 : 2;
     }
 
     /// Primitives in leaf order lie together in memory when they are visited together. They change
-    /// places ring by ring, so that there is never a second copy of all.
+    /// places cycle by cycle, so that there is never a second copy of all.
     void put_in_leaf_order() {
         std::vector<Primitive<Real>>& primitives = world_->primitives;
         std::vector<std::uint32_t>& order = world_->bvh.order;

@@ -58,12 +58,16 @@ class ShapeCompiler {
     }
 
     /// The shape's own coordinates are scaled by 2^own, those of the world by 2^scale.
-    int own_exponent(const Object& object) const {
+    int own_exponent(const Object& object) {
+        const auto of_shape = [&] { return exponent_for(extent_of(object.shape, scene_)); };
+        if (const auto* ref = std::get_if<MeshRef>(&object.shape)) {
+            const auto [known, is_new] = mesh_exponents_.try_emplace(ref->mesh, 0);
+            if (is_new) known->second = of_shape();
+            return known->second;
+        }
         const bool identity = scene_.transforms[object.transform] == Affine<double>{};
-        const bool is_mesh = std::holds_alternative<MeshRef>(object.shape) ||
-                             std::holds_alternative<PatchRef>(object.shape);
-        return identity && !is_mesh ? world_.scale_exponent
-                                    : exponent_for(extent_of(object.shape, scene_));
+        return identity && !std::holds_alternative<PatchRef>(object.shape) ? world_.scale_exponent
+                                                                           : of_shape();
     }
 
   private:
@@ -348,6 +352,8 @@ class ShapeCompiler {
     const Scene& scene_;
     const Settings& settings_;
     const PovRayRules* by_povray_;
+    /// Of many instances' meshes, each of which would be looked through for every instance.
+    std::map<std::uint32_t, int> mesh_exponents_;
     World<Real>& world_;
     /// Patches are triangles where anybody asks for a tolerance, else met on their true surface.
     /// All in one way: between a triangle and its neighbour's true border light would pass.

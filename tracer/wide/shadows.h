@@ -105,13 +105,14 @@ class ShadowQuery {
         } else if (item.kind == Kind::box) {
             note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::frustum) {
-            const FrustumShadow shadow(scene_.frustums[item.shape], rays_, others, distance_);
-            if (item.glassy) {
-                unsure_ |= own | shadow.blocks | shadow.unsure;
-            } else {
-                blocked_ |= shadow.blocks;
-                ask_exactly(index, own | shadow.unsure);
+            const Frustum& frustum = scene_.frustums[item.shape];
+            if (item.glassy) {  // whoever may meet it is looked at with all else on the way
+                unsure_ |= own | FrustumGuess(frustum, rays_, others, distance_).unsettled;
+                return;
             }
+            const FrustumShadow shadow(frustum, rays_, others, distance_);
+            blocked_ |= shadow.blocks;
+            ask_exactly(index, own | shadow.unsure);
             return;
         } else {
             if (item.glassy)
