@@ -1,6 +1,7 @@
 // What settings cost and bring: the truth, its cache, errors by it, and which settings to take.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -161,7 +162,8 @@ TEST(TradeOffError, NoneIsNone) {
 
 class TruthFile : public testing::Test {
   protected:
-    TruthFile() : folder_(testing::TempDir() + "lancer_truth_test") { remove_all(); }
+    // Each test's own: they may run at the same time.
+    TruthFile() : folder_(testing::TempDir() + "lancer_truth_test" + std::to_string(getpid())) {}
     ~TruthFile() override { remove_all(); }
     void remove_all() const { std::filesystem::remove_all(folder_); }
     TruthCache cache() const { return {folder_, "content"}; }
