@@ -13,8 +13,8 @@ namespace lancer::reference::pov {
 
 using TextureKey =
     std::pair<std::uint32_t, int>;  ///< material; size against the scene's, in decades
-/// Mesh, space, whether smooth, whether in pieces; the material whose colours its vertices have; what
-/// its author says of its inside.
+/// Mesh, space, whether smooth, whether in pieces; the material whose colours its vertices have;
+/// what its author says of its inside.
 using MeshKey = std::tuple<std::uint32_t, int, bool, bool, std::uint32_t, Inside>;
 
 struct Writer {

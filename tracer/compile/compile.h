@@ -282,9 +282,9 @@ class Compiler {
         for (std::uint32_t i = 0; i < world_->bounded; ++i) {
             const Solid<Real>& solid = world_->primitives[i].solid;
             expensive += std::holds_alternative<MeshInstance<Real>>(solid) ||
-                    std::holds_alternative<BicubicSolid<Real>>(solid) ||
-                    std::holds_alternative<PatchSolid<Real>>(solid) ||
-                    std::holds_alternative<LatheSolid<Real>>(solid);
+                         std::holds_alternative<BicubicSolid<Real>>(solid) ||
+                         std::holds_alternative<PatchSolid<Real>>(solid) ||
+                         std::holds_alternative<LatheSolid<Real>>(solid);
         }
         return expensive > world_->bounded / 2 ? 1 : 2;
     }

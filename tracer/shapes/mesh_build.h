@@ -18,8 +18,8 @@ struct MeshNeeds {
 
 /// Which faces of a closed mesh (model/bodies.h) look inside: one byte per face, 1 for those that
 /// do; empty when all look outside. Faces that turn against their neighbours are turned with them,
-/// and the whole so that its volume is positive: scripts and scanners care little about winding. Of a
-/// mesh with gaps whose author calls it a body, the volume is that of the cone from the origin.
+/// and the whole so that its volume is positive: scripts and scanners care little about winding. Of
+/// a mesh with gaps whose author calls it a body, the volume is that of the cone from the origin.
 std::vector<std::uint8_t> inward_faces(const Mesh& mesh);
 
 /// Averages of the adjoining faces' normals, weighted by area. A vertex without one (all its faces
