@@ -189,12 +189,13 @@ class Compiler {
     /// \param space  where its texture lies: see bind_texture()
     Primitive<Real> part(ShapeCompiler<Real>& solids, const Object& object, std::uint32_t space,
                          const MeshTable& meshes) {
-        Primitive<Real> p = solids.make(object, mesh_of(object, meshes));
+        const TriangleMesh<Real>* mesh = mesh_of(object, meshes);
+        Primitive<Real> p = solids.make(object, mesh);
         p.material = object.material;
         if (world_->finishes[object.material].texture != none) {
             p.texture_binding = static_cast<std::uint32_t>(world_->texture_bindings.size());
             world_->texture_bindings.push_back(
-                bind_texture(scene_, *world_, object, p, solids.own_exponent(object), space));
+                bind_texture(scene_, *world_, object, p, solids.own_exponent(object, mesh), space));
         }
         p.transmissive =
             lets_light_through(scene_, scene_.materials[object.material], settings_.textures);

@@ -48,7 +48,7 @@ class ShapeCompiler {
     /// \param mesh  the compiled mesh, for a MeshRef
     Primitive<Real> make(const Object& object, const TriangleMesh<Real>* mesh) {
         const Affine<double>& m = scene_.transforms[object.transform];
-        const int own = own_exponent(object);
+        const int own = own_exponent(object, mesh);
         const Affine<Real> map = scaled_map(m, own);
         Primitive<Real> p;
         object_ = &object;
@@ -58,16 +58,14 @@ class ShapeCompiler {
     }
 
     /// The shape's own coordinates are scaled by 2^own, those of the world by 2^scale.
-    int own_exponent(const Object& object) {
-        const auto of_shape = [&] { return exponent_for(extent_of(object.shape, scene_)); };
-        if (const auto* ref = std::get_if<MeshRef>(&object.shape)) {
-            const auto [known, is_new] = mesh_exponents_.try_emplace(ref->mesh, 0);
-            if (is_new) known->second = of_shape();
-            return known->second;
-        }
+    ///
+    /// \param mesh  the compiled mesh, for a MeshRef
+    int own_exponent(const Object& object, const TriangleMesh<Real>* mesh) const {
+        if (mesh != nullptr) return mesh->exponent;
         const bool identity = scene_.transforms[object.transform] == Affine<double>{};
-        return identity && !std::holds_alternative<PatchRef>(object.shape) ? world_.scale_exponent
-                                                                           : of_shape();
+        return identity && !std::holds_alternative<PatchRef>(object.shape)
+                   ? world_.scale_exponent
+                   : exponent_for(extent_of(object.shape, scene_));
     }
 
   private:
@@ -352,8 +350,6 @@ class ShapeCompiler {
     const Scene& scene_;
     const Settings& settings_;
     const PovRayRules* by_povray_;
-    /// Of many instances' meshes, each of which would be looked through for every instance.
-    std::map<std::uint32_t, int> mesh_exponents_;
     World<Real>& world_;
     /// Patches are triangles where anybody asks for a tolerance, else met on their true surface.
     /// All in one way: between a triangle and its neighbour's true border light would pass.

@@ -19,6 +19,7 @@ namespace lancer {
 template <class Real>
 struct TriangleMesh {
     std::shared_ptr<const Mesh> source;  ///< faces, uvs and their indices
+    int exponent = 0;                    ///< its places times 2^exponent are `vertices`
     std::vector<Vec3<Real>> vertices;
     std::vector<Vec3<Real>> normals;  ///< given or averaged, unit; empty when nobody interpolates
     const std::vector<Mesh::Corners>* normal_faces = nullptr;  ///< into `normals`, one per face

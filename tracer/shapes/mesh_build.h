@@ -109,6 +109,7 @@ std::unique_ptr<TriangleMesh<Real>> compile_mesh(const std::shared_ptr<const Mes
                                                  int threads) {
     auto mesh = std::make_unique<TriangleMesh<Real>>();
     mesh->source = source;
+    mesh->exponent = exponent;
     const Mesh& from = *mesh->source;
     mesh->vertices.reserve(from.vertices.size());
     for (const Vec3d& v : from.vertices)

@@ -35,22 +35,14 @@ template <class Real>
 struct PieceFrame {
     explicit PieceFrame(const Piece<Real>& piece) {
         using std::abs;
-        using std::sqrt;
-        const auto at = [&](std::size_t i) {
-            return Vec3<Real>(piece.c[0][i], piece.c[1][i], piece.c[2][i]);
-        };
-        const Vec3<Real> u = ((at(3) - at(0)) + (at(15) - at(12))) / Real(2);
-        const Vec3<Real> v = ((at(12) - at(0)) + (at(15) - at(3))) / Real(2);
-        const Vec3<Real> n = cross(u, v);
-        const Real nn = length_squared(n);
-        if (!(nn > 0)) return;
-        row = {cross(v, n) / nn, cross(n, u) / nn,
-               n / sqrt(nn * std::min(length_squared(u), length_squared(v)))};
+        const auto mean = mean_frame(piece);
+        if (!mean) return;
+        row = *mean;
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3<Real> sizes = absolute(row[k]);
             row_size[k] = sizes.x + sizes.y + sizes.z;
             std::array<Real, 16> c;
-            for (std::size_t i = 0; i < 16; ++i) c[i] = dot(row[k], at(i));
+            for (std::size_t i = 0; i < 16; ++i) c[i] = dot(row[k], control_point(piece, i));
             low[k] = high[k] = c[0];
             for (const Real x : c) {
                 low[k] = std::min(low[k], x);

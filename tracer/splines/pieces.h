@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "tracer/splines/bicubic.h"
@@ -19,24 +21,35 @@ struct Piece {
     Real u0, v0, du, dv;                    ///< its square in the patch's
 };
 
+template <class Real>
+Vec3<Real> control_point(const Piece<Real>& piece, std::size_t i) {
+    return {piece.c[0][i], piece.c[1][i], piece.c[2][i]};
+}
+
+/// Rows of the inverse of (u, v, n / |n|) for the piece's two mean directions u and v and their
+/// normal n, the last one in units of the shorter direction; nothing where it has no mean plane.
+template <class Real>
+std::optional<std::array<Vec3<Real>, 3>> mean_frame(const Piece<Real>& piece) {
+    using std::sqrt;
+    const auto at = [&](std::size_t i) { return control_point(piece, i); };
+    const Vec3<Real> u = ((at(3) - at(0)) + (at(15) - at(12))) / Real(2);
+    const Vec3<Real> v = ((at(12) - at(0)) + (at(15) - at(3))) / Real(2);
+    const Vec3<Real> n = cross(u, v);
+    const Real nn = length_squared(n);
+    if (!(nn > 0)) return {};
+    return std::array{cross(v, n) / nn, cross(n, u) / nn,
+                      n / sqrt(nn * std::min(length_squared(u), length_squared(v)))};
+}
+
 /// Whether the surface bends little enough over the piece: its slopes differ from their mean by
 /// less than `most` of it, measured along the piece's own two directions and across them.
 template <class Real>
 bool is_even(const Piece<Real>& piece, Real most) {
     using std::abs;
-    using std::sqrt;
-    const auto at = [&](std::size_t i) {
-        return Vec3<Real>(piece.c[0][i], piece.c[1][i], piece.c[2][i]);
-    };
-    const Vec3<Real> u = ((at(3) - at(0)) + (at(15) - at(12))) / Real(2);
-    const Vec3<Real> v = ((at(12) - at(0)) + (at(15) - at(3))) / Real(2);
-    const Vec3<Real> n = cross(u, v);
-    const Real nn = length_squared(n);
-    if (!(nn > 0)) return false;
-    // Rows of the inverse of (u, v, n / |n|), the last one in units of the shorter direction.
-    const Vec3<Real> a = cross(v, n) / nn;
-    const Vec3<Real> b = cross(n, u) / nn;
-    const Vec3<Real> up = n / sqrt(nn * std::min(length_squared(u), length_squared(v)));
+    const auto frame = mean_frame(piece);
+    if (!frame) return false;
+    const auto& [a, b, up] = *frame;
+    const auto at = [&](std::size_t i) { return control_point(piece, i); };
     const auto off = [&](const Vec3<Real>& slope, Real along_u, Real along_v) {
         return std::max(
             {abs(dot(a, slope) - along_u), abs(dot(b, slope) - along_v), abs(dot(up, slope))});
