@@ -28,9 +28,9 @@ Json picture_json(PackSink& sink, const Image& image, const char* name, int begi
 }  // namespace
 
 Pack pack_scene(const ValidationJob& job, std::size_t probes) {
-    PackSink sink;
     Pack pack;
     const Scene scene = as_packed(*job.scene, pack.warnings);
+    PackSink sink(scene);
     Json json;
     json["format"] = format_name;
     json["name"] = job.name;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "judge/pack/pack.h"
+#include "model/bodies.h"
 #include "model/scene.h"
 
 namespace lancer::judge {
@@ -20,9 +21,12 @@ inline Json to_json(const Vec2d& v) {
     return {v.x, v.y};
 }
 
-/// Collects the files that a scene's data name.
+/// Collects the files that a scene's data name, and knows its bodies.
 struct PackSink {
+    explicit PackSink(const Scene& scene) : bodies(scene) {}
+
     std::vector<PackedFile> files;
+    Bodies bodies;
 };
 
 /// {"kind": "sphere", "center": [...], ...}: docs of each in the pack's README. Meshes become

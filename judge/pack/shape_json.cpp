@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "judge/pack/scene_json.h"
-#include "model/bodies.h"
 
 namespace lancer::judge {
 
@@ -117,8 +116,10 @@ class ShapeWriter {
         const bool is_there = std::any_of(sink_.files.begin(), sink_.files.end(),
                                           [&](const PackedFile& f) { return f.name == name; });
         if (!is_there) sink_.files.push_back({name, obj_text(*scene_.meshes[m.mesh], m.smooth)});
-        return {
-            {"kind", "mesh"}, {"file", name}, {"smooth", m.smooth}, {"body", is_body(scene_, m)}};
+        return {{"kind", "mesh"},
+                {"file", name},
+                {"smooth", m.smooth},
+                {"body", sink_.bodies.holds(m)}};
     }
     Json operator()(const PatchRef& p) const {
         const Patch& patch = scene_.patches[p.patch];

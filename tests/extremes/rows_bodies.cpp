@@ -104,11 +104,8 @@ Scene hollow_ring(int k) {
 /// A plate with a boss, a bore through both and a groove, all of whose faces coincide with others.
 /// All coordinates are multiples of 1/8.
 Stage machined() {
-    Stage s;
+    Stage s = table();
     s.look({0.25, 3.25, 4.125}, {0, 0, 0}, 40);
-    s.lamp({2, 5, 3});
-    s.scene.background = {0.1, 0.2, 0.4};
-    s.add(Plane{{0, 1, 0}, -1}, s.matt({0.9, 0.8, 0.7}));
     const std::uint32_t steel = s.matt({0.6, 0.6, 0.7});
     const std::uint32_t brass = s.matt({0.8, 0.6, 0.2});
     Composite made;
