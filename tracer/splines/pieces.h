@@ -48,11 +48,10 @@ bool is_even(const Piece<Real>& piece, Real most) {
     using std::abs;
     const auto frame = mean_frame(piece);
     if (!frame) return false;
-    const auto& [a, b, up] = *frame;
     const auto at = [&](std::size_t i) { return control_point(piece, i); };
     const auto off = [&](const Vec3<Real>& slope, Real along_u, Real along_v) {
-        return std::max(
-            {abs(dot(a, slope) - along_u), abs(dot(b, slope) - along_v), abs(dot(up, slope))});
+        return std::max({abs(dot((*frame)[0], slope) - along_u),
+                         abs(dot((*frame)[1], slope) - along_v), abs(dot((*frame)[2], slope))});
     };
     for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
