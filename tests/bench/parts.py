@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Measures pictures in parts, for docs/many-machines.md.
 
-    tests/bench/parts.py LANCER workers [SECONDS]   12 parts of each gallery scene on 4 workers, simulated from the parts'
-                                                    own processor times; scaled up to a picture of SECONDS (60)
+    tests/bench/parts.py LANCER workers [SECONDS]   12 parts of each gallery scene, pictures that take one worker SECONDS (60):
+                                                    two real workers, and four simulated from the parts' processor times
     tests/bench/parts.py LANCER counts [WORKERS]    how many times one worker 4 (WORKERS) are with 4 to 48 parts, by rays
     tests/bench/parts.py LANCER errors              rays of parts by an error beside those of the whole
-    tests/bench/parts.py LANCER poster [SIDE [png] [exr]]   memory and time of joining SIDE x SIDE pixels (32768)
+    tests/bench/parts.py LANCER poster [SIDE [png] [exr]]   memory and time of joining SIDE x SIDE pixels (32768) of black
+    tests/bench/parts.py LANCER drawn SCENE [SIDE]  the same of parts that are drawn, and the memory of drawing one
     tests/bench/parts.py LANCER kills [COUNT]       COUNT kills (100) at random moments over parts, frames and a sweep
 
 Times are the processor's, on one thread: they depend little on what else the machine does, unlike those of a clock.
@@ -13,6 +14,7 @@ Times are the processor's, on one thread: they depend little on what else the ma
 import hashlib
 import heapq
 import json
+import math
 import os
 import random
 import signal
@@ -52,31 +54,50 @@ def fixed_cost(scene):
     return sum(cost.values())
 
 
+def drawn_by(workers, scene, folder, size, count=12):
+    """Seconds by the clock, and the parts' own processor times: so many processes, each with one thread, take the next of
+    `count` parts when they are free."""
+    waiting, running, times = list(range(1, count + 1)), {}, {}
+    begun = time.monotonic()
+    while waiting or running:
+        while waiting and len(running) < workers:
+            k = waiting.pop(0)
+            process = subprocess.Popen([LANCER, "render", str(scene), "--threads", "1", "-q", "--size", size, "--part",
+                                        f"{k}/{count}", "-o", str(folder / f"{k}.exr")])
+            running[process.pid] = k
+        pid, status, usage = os.wait4(-1, 0)
+        if status != 0:
+            sys.exit(f"{scene}: part {running[pid]} ended with {status}")
+        times[running.pop(pid)] = usage.ru_utime + usage.ru_stime
+    return time.monotonic() - begun, [times[k] for k in range(1, count + 1)]
+
+
 def workers(seconds=60):
-    """The scenes' own samples; 1024 x 768 pixels, so that strips have 16 rows, as those of larger pictures have."""
-    print("| scene | whole, s | 12 parts, s | longest | fixed cost of each | on 4 workers | of a picture of "
-          f"{seconds} s |")
-    print("|---|---|---|---|---|---|---|")
-    least = 99.0
-    with tempfile.TemporaryDirectory() as folder:
+    """12 parts at a size at which one worker needs about that many seconds: by two real workers, and by four from the parts'
+    own times. One worker is a whole render with one thread."""
+    print("| scene | size | fixed cost of each part, s | one worker, s | two workers, s | times one | four, from the parts' times |")
+    print("|---|---|---|---|---|---|---|", flush=True)
+    least_two = least_four = 99.0
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
         for scene in GALLERY:
-            def draw(name, *more):
-                return run("render", scene, "--threads", 1, "-q", "--size", "1024x768", *more, "-o", Path(folder) / name)[0]
-            # What else the machine does slows now this and now that: the whole is measured before and after.
-            whole = draw("whole.png")
-            parts = [draw(f"{k}.exr", "--part", f"{k}/12") for k in range(1, 13)]
-            whole = (whole + draw("whole.png")) / 2
-            run("join", "-q", *[Path(folder) / f"{k}.exr" for k in range(1, 13)], "-o", Path(folder) / "joined.png")
-            if (Path(folder) / "joined.png").read_bytes() != (Path(folder) / "whole.png").read_bytes():
-                sys.exit(f"{scene}: joined parts are not the whole")
+            def whole(size):
+                begun = time.monotonic()
+                run("render", scene, "--threads", 1, "-q", "--size", size, "-o", folder / "whole.png")
+                return time.monotonic() - begun
             fixed = fixed_cost(scene)
-            # A larger picture of the scene: all but the fixed cost grows with its pixels.
-            larger = (seconds - fixed) / (whole - fixed)
-            times = seconds / makespan([fixed + (t - fixed) * larger for t in parts], 4)
-            least = min(least, times)
-            print(f"| {scene.stem} | {whole:.1f} | {sum(parts):.1f} | {max(parts):.2f} | {fixed:.3f} | "
-                  f"{whole / makespan(parts, 4):.2f} times one | {times:.2f} times one |", flush=True)
-    print(f"\nthe least: {least:.2f} times one worker")
+            per_pixel = max(0.01, whole("512x384") - fixed) / (512 * 384)
+            side = 16 * round(math.sqrt((seconds - fixed) / per_pixel * 3 / 4) / 16)
+            size = f"{4 * side // 3}x{side}"
+            one = whole(size)
+            two, parts = drawn_by(2, scene, folder, size)
+            run("join", "-q", *[folder / f"{k}.exr" for k in range(1, 13)], "-o", folder / "joined.png")
+            if (folder / "joined.png").read_bytes() != (folder / "whole.png").read_bytes():
+                sys.exit(f"{scene}: joined parts are not the whole")
+            four = one / makespan(parts, 4)
+            least_two, least_four = min(least_two, one / two), min(least_four, four)
+            print(f"| {scene.stem} | {size} | {fixed:.3f} | {one:.1f} | {two:.1f} | {one / two:.2f} | {four:.2f} |", flush=True)
+    print(f"\nthe least: {least_two:.2f} times one worker by two, {least_four:.2f} by four")
 
 
 def counts(workers=4, seconds=60):
@@ -188,6 +209,22 @@ def poster(side=32768, *endings):
             (folder / f"poster.{ending}").unlink()
 
 
+def drawn(scene, side=32768, count=32):
+    with tempfile.TemporaryDirectory(dir=os.environ.get("TMPDIR", "/tmp")) as name:
+        folder, most, total, begun = Path(name), 0, 0.0, time.monotonic()
+        names = [folder / f"{k}.exr" for k in range(1, count + 1)]
+        for k, part in enumerate(names, 1):
+            cost, memory, _ = run("render", scene, "-q", "--size", f"{side}x{side}", "--samples", 1, "--part", f"{k}/{count}",
+                                  "-o", part)
+            most, total = max(most, memory), total + cost
+        print(f"{count} parts of {side} x {side} pixels: {sum(n.stat().st_size for n in names) / 1e9:.1f} GB, {most / 1e6:.0f} MB "
+              f"at the most, {total:.0f} s of the processor, {time.monotonic() - begun:.0f} s", flush=True)
+        begun = time.monotonic()
+        cost, memory, text = run("join", *names, "-o", folder / "poster.png")
+        print(f"join to png: {memory / 1e6:.0f} MB at the most, {cost:.0f} s of the processor, "
+              f"{time.monotonic() - begun:.0f} s; {text.strip()}", flush=True)
+
+
 BALL = """camera { position [0, 1, 5] look_at [0, 0, 0] }
 light point { position [4, 6, 3] }
 plane { normal [0, 1, 0] offset -1 material { color [0.5, 0.4, 0.3] } }
@@ -276,7 +313,7 @@ if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     LANCER = os.path.abspath(sys.argv[1])
-    what = {"workers": workers, "counts": counts, "errors": errors, "poster": poster, "kills": kills}.get(sys.argv[2])
+    what = {"workers": workers, "counts": counts, "errors": errors, "poster": poster, "drawn": drawn, "kills": kills}.get(sys.argv[2])
     if what is None:
         sys.exit(__doc__)
     what(*[int(word) if word.isdigit() else word for word in sys.argv[3:]])

@@ -33,19 +33,23 @@ ok() {
 export SOURCE_DATE_EPOCH=1700000000
 
 # Twice, with whatever may differ between two people.
-release() { "$root/release" --build "$build" -o "$place/$1"; }
+release() { "$root/release" --build "$build" --pack-size 32x24 -o "$place/$1"; }
 ok "a release" release first
 (umask 077; TZ=Asia/Tokyo LC_ALL=C.UTF-8 HOME=/nowhere ok "a second release" release second) || exit 1
 diff -r "$place/first" "$place/second" || fail "the same sources made other bytes"
 cd "$place/first" || exit 1
 ls -l
 sha256sum --quiet -c SHA256SUMS || fail "SHA256SUMS is wrong"
-[ "$(sha256sum --quiet -c --strict SHA256SUMS 2>&1; wc -l < SHA256SUMS)" = 5 ] || fail "SHA256SUMS has not five files"
+[ "$(sha256sum --quiet -c --strict SHA256SUMS 2>&1; wc -l < SHA256SUMS)" = 6 ] || fail "SHA256SUMS has not six files"
 # The two were packed from one build, so what a file says of its time and owner must not come from there.
 for file in *.tar.gz; do tar --full-time --utc -tvf "$file"; done > "$place/list"
 for file in *.deb; do dpkg-deb --fsys-tarfile "$file" | tar --full-time --utc -tv; done >> "$place/list"
 grep -v 'root/root .* 2023-11-14 22:13:20 ' "$place/list" && fail "another time or owner"
 grep -aq "$root" ./*.deb && fail "a package says where it was built"
+packed=$(tar -tzf lancer-*-reference-pack.tar.gz | grep -c '/scene.json$')
+scenes=$(git -C "$root" ls-tree -r --name-only HEAD scenes | grep '\.lancer$' | grep -vc /bad/)
+[ "$packed" = "$scenes" ] || fail "the reference pack has $packed of $scenes scenes"
+tar -xzOf lancer-*-reference-pack.tar.gz | grep -aq "$root" && fail "the reference pack says where it was made"
 debs=("$PWD"/lancer_*.deb "$PWD"/lancer-pictures_*.deb)
 size=$(stat -c %s "${debs[0]}")
 [ "$size" -lt 8000000 ] || fail "lancer's package has $size bytes, and may have 8,000,000"
