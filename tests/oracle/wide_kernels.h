@@ -45,6 +45,13 @@ struct WideKernels {
                          WideAnswer* out);
     void (*slabs)(const wide::Tree& tree, const wide::LaneRay* rays, double limit, WideSlabs* out);
     void (*local)(const wide::Frame& frame, const wide::LaneRay* rays, wide::LaneRay* out);
+    /// The same, ray by ray, without squares and `filter_error`; and how each sees the mesh's
+    /// boxes.
+    void (*alone)(const wide::Mesh& mesh, const wide::LaneRay* rays, double limit,
+                  wide::LaneRay* out, WideSlabs* slabs);
+    /// Rays by a mesh, one by one: the nearest crossings, and whether it hides a light.
+    void (*lone_mesh)(const wide::Mesh& mesh, const wide::LaneRay* rays, double limit,
+                      WideAnswer* out, WideAnswer* shadow);
     /// The surfaces of eight hits; those that are left to scalar code are asked of `exact`.
     void (*surfaces)(const wide::Scene& scene, wide::ExactMethods& exact, const wide::LaneRay* rays,
                      const wide::LaneHit* hits, wide::LaneSurface* out);

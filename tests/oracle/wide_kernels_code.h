@@ -143,6 +143,60 @@ inline void local_kernel(const Frame& frame, const LaneRay* rays, LaneRay* out) 
     for (int i = 0; i < lanes; ++i) out[i] = lane_ray(local, i);
 }
 
+inline void alone_kernel(const Mesh& mesh, const LaneRay* from, double limit, LaneRay* out,
+                         oracle::WideSlabs* slabs) {
+    const Rays rays = rays_of(from);
+    for (int i = 0; i < lanes; ++i) {
+        const LoneRay ray(rays, i, mesh);
+        const auto put = [](const Fours& v, double(&to)[3]) {
+            double each[4];
+            store(each, v);
+            for (int a = 0; a < 3; ++a) to[a] = each[a];
+        };
+        put(ray.origin, out[i].origin);
+        put(ray.origin_lo, out[i].origin_lo);
+        put(ray.dir, out[i].dir);
+        put(ray.inv_dir, out[i].inv_dir);
+        out[i].origin_error = ray.error(lane(rays.origin_error, i), mesh);
+        out[i].whole = ray.whole;
+        const LoneBoxRay box_ray(mesh.shape->tree, ray, limit);
+        slabs[i].misses = box_ray.misses;
+        if (box_ray.misses) continue;
+        for (int a = 0; a < 3; ++a) {
+            const LoneSlabs::Axis& axis = box_ray.slabs.axes[a];
+            slabs[i].enter_origin[a] = lane(axis.enter_origin, 0);
+            slabs[i].leave_origin[a] = lane(axis.leave_origin, 0);
+            slabs[i].enter_inverse[a] = lane(axis.enter_inverse, 0);
+            slabs[i].leave_inverse[a] = lane(axis.leave_inverse, 0);
+        }
+        slabs[i].last = box_ray.parameter(limit);
+    }
+}
+
+inline void lone_mesh_kernel(const Mesh& mesh, const LaneRay* from, double limit,
+                             oracle::WideAnswer* out, oracle::WideAnswer* shadow) {
+    const Rays rays = rays_of(from);
+    NearestHits hits;
+    hits.limit = all(limit);
+    Starts starts;
+    put_some(starts.item, 255, nothing);
+    Mask blocked = 0;
+    Mask unsure = 0;
+    for (int i = 0; i < lanes; ++i) {
+        lone_mesh_crossings(mesh, 0, rays, starts, i, hits);
+        const MeshShadow one = lone_mesh_shadow(mesh, 0, rays, starts, i, limit);
+        blocked |= one.blocks;
+        unsure |= one.unsure;
+    }
+    put_answers(hits, out);
+    for (int i = 0; i < lanes; ++i) {
+        out[i].u = lane(hits.u, i);
+        out[i].v = lane(hits.v, i);
+        out[i].face = hits.face[i];
+    }
+    put_answers(blocked, unsure & ~blocked, shadow);
+}
+
 inline void surfaces_kernel(const Scene& scene, ExactMethods& exact, const LaneRay* from,
                             const LaneHit* given, LaneSurface* out) {
     const Rays rays = rays_of(from);
@@ -196,6 +250,7 @@ inline constexpr oracle::WideKernels kernels{
     ball_kernel,           from_ball_kernel,    box_kernel,         frustum_kernel,
     plane_kernel,          triangle_kernel,     ball_shadow_kernel, box_shadow_kernel,
     frustum_shadow_kernel, plane_shadow_kernel, slabs_kernel,       local_kernel,
-    surfaces_kernel,       bend_kernel,         power_kernel,       arc_cosine_kernel};
+    alone_kernel,          lone_mesh_kernel,    surfaces_kernel,    bend_kernel,
+    power_kernel,          arc_cosine_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

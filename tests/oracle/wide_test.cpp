@@ -6,6 +6,7 @@
 #include "tests/oracle/tally.h"
 #include "tests/oracle/wide_kernels.h"
 #include "tests/oracle/wide_levels.h"
+#include "tests/oracle/wide_rays.h"
 #include "tracer/bvh/slabs.h"
 #include "tracer/rays/frame.h"
 #include "tracer/shapes/box.h"
@@ -18,38 +19,6 @@ namespace lancer::oracle {
 namespace {
 
 using lancer::cross;
-
-constexpr int lanes = 8;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void put(const Vec3d& v, double (&to)[3]) {
-    for (int i = 0; i < 3; ++i) to[i] = v[i];
-}
-wide::LaneRay lane_ray(const Ray<double>& ray) {
-    wide::LaneRay r{};
-    put(ray.origin, r.origin);
-    put(ray.origin_lo, r.origin_lo);
-    put(ray.dir, r.dir);
-    r.origin_error = ray.origin_error;
-    return r;
-}
-
-/// Eight rays, as different as cases of their own.
-struct Eight {
-    std::vector<Ray<double>> rays;
-    std::vector<wide::LaneRay> lane_rays;
-
-    template <class Make>
-    Eight(const Draw& draw, Make&& make) {
-        for (std::uint64_t i = 0; i < lanes; ++i) {
-            Draw own(draw.number() * lanes + i);
-            const Ray<double> ray = own.in_two_parts(make(own));
-            const double error = own.number() % 5 == 2 ? own.decade(-18, -6) : 0;
-            rays.push_back(make_ray(ray.origin, ray.origin_lo, ray.dir, error));
-            lane_rays.push_back(lane_ray(rays.back()));
-        }
-    }
-};
 
 struct Share {
     std::size_t unsure = 0, hits = 0, answers = 0;
@@ -107,10 +76,6 @@ void check_shadow(const Shape& shape, const Ray<double>& ray, double distance,
         return c.t > c.error && c.t < distance - c.error;
     });
     EXPECT_EQ(answer.hit, hidden) << "case " << draw.number();
-}
-
-double some_limit(Draw& draw, double size) {
-    return draw.number() % 2 == 0 ? infinity : size * draw.decade(-2, 4);
 }
 
 struct BallCase {
@@ -342,12 +307,6 @@ TEST(OracleWide, Triangle) {
         });
         EXPECT_GT(hits, 5000u);
     });
-}
-
-/// Equal, or both not a number.
-void expect_same(float a, float b, const Draw& draw) {
-    EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b)))
-        << "case " << draw.number() << ": " << a << " " << b;
 }
 
 TEST(OracleWide, Slabs) {

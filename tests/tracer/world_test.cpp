@@ -1,4 +1,7 @@
 // The compiled world carries what the scene requires, and `lancer info` says the same.
+#include <random>
+
+#include "tests/extremes/stage.h"
 #include "tests/tracer/scene_kit.h"
 #include "tracer/compile/compile.h"
 
@@ -49,6 +52,45 @@ TEST(World, AClearBodyOfIndexOneIsInTheListOfMedia) {
     const Scene scene = ball_of({.transmission = 1});
     EXPECT_TRUE(compile_world<double>(scene, scene.settings)->has_media);
     EXPECT_TRUE(requirements_of(scene, scene.settings).needs(Feature::media));
+}
+
+/// Corners of turned, stretched and sheared meshes, put into the world in a wider type.
+template <class Real>
+void expect_boxes_hold_their_meshes() {
+    double all = 0;
+    double of_corners = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        extremes::Stage s;
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        Affine<double> map;
+        for (Vec3d& row : map.rows)
+            row = Vec3d(unit(random), unit(random), unit(random)) * std::pow(10.0, unit(random));
+        map.shift = Vec3d(unit(random), unit(random), unit(random)) * 10.0;
+        Mesh mesh = extremes::icosphere(Vec3d(0, 2, 0), 1, static_cast<int>(seed % 4));
+        for (Vec3d& v : mesh.vertices) v.z *= 0.1;
+        s.add(mesh, s.matt({1, 1, 1}), map);
+        const auto world = compile_world<Real>(s.scene, s.scene.settings);
+        const Primitive<Real>& p = world->primitives.front();
+        const Bounds<Real> box = box_in_tree(*world, p);
+        const auto to_world = convert<long double>(world->frames[p.frame].to_world);
+        for (const Vec3<Real>& v : std::get<MeshInstance<Real>>(p.solid).mesh->vertices) {
+            const Vec3<long double> place = map_point(to_world, convert<long double>(v));
+            for (int i = 0; i < 3; ++i) {
+                EXPECT_GE(place[i], box.min[i]) << "seed " << seed;
+                EXPECT_LE(place[i], box.max[i]) << "seed " << seed;
+            }
+        }
+        all += static_cast<double>(half_area(box));
+        of_corners += static_cast<double>(half_area(bounds_of(*world, p)));
+    }
+    EXPECT_LT(all, 0.85 * of_corners);
+}
+
+TEST(World, TheBoxOfATurnedMeshHoldsIt) {
+    expect_boxes_hold_their_meshes<float>();
+    expect_boxes_hold_their_meshes<double>();
+    expect_boxes_hold_their_meshes<long double>();
 }
 
 }  // namespace

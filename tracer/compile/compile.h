@@ -267,12 +267,18 @@ class Compiler {
     void add_tree() {
         std::vector<Bounds<Real>> boxes;
         boxes.reserve(world_->bounded);
+        Bounds<Real> all;
         for (std::uint32_t i = 0; i < world_->bounded; ++i) {
             const Primitive<Real>& p = world_->primitives[i];
             check_size(p, scene_.objects[p.object]);
-            boxes.push_back(bounds_of(*world_, p));
+            boxes.push_back(box_in_tree(*world_, p));
+            all.extend(bounds_of(*world_, p));
         }
         world_->bvh = build_bvh(std::move(boxes), most_in_leaf(), threads_);
+        if (world_->bounded > 0) {  // rays of a camera far away begin by it, whatever the tree is
+            world_->bvh.bounds = widened(all);
+            world_->bvh.reach = world_->bvh.bounds.reach();
+        }
         put_in_leaf_order();
     }
 

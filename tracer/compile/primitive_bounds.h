@@ -114,4 +114,41 @@ Bounds<Real> bounds_of(const World<Real>& world, const Primitive<Real>& p) {
     return p.frame == none ? own : widened(mapped(own, world.frames[p.frame].to_world));
 }
 
+/// Visits boxes that together hold all items of a tree: those two levels below its root, and leaves
+/// above them.
+template <class Real, class Visit>
+void for_each_box_near_root(const Bvh<Real>& bvh, const BvhNode<Real>& node, int levels,
+                            Visit&& visit) {
+    for (std::size_t c = 0; c < node.child.size() && node.child[c] != none; ++c) {
+        if (levels > 1 && node.count[c] == 0) {
+            for_each_box_near_root(bvh, bvh.nodes[node.child[c]], levels - 1, visit);
+            continue;
+        }
+        visit(Bounds<Real>{{node.min[0][c], node.min[1][c], node.min[2][c]},
+                           {node.max[0][c], node.max[1][c], node.max[2][c]}});
+    }
+}
+
+/// The same for the tree of the world: what a mesh that is turned reaches, by boxes of its parts. A
+/// box of the corners of its box is up to three times as large in area, and each ray that meets a
+/// box is taken into the mesh's space.
+template <class Real>
+Bounds<Real> box_in_tree(const World<Real>& world, const Primitive<Real>& p) {
+    Bounds<Real> box = bounds_of(world, p);
+    const auto* instance = std::get_if<MeshInstance<Real>>(&p.solid);
+    if (instance == nullptr || p.frame == none) return box;
+    const Bvh<Real>& tree = instance->mesh->bvh;
+    if (tree.nodes.empty()) return box;
+    Bounds<Real> parts;
+    for_each_box_near_root(tree, tree.nodes.front(), 2, [&](const Bounds<Real>& part) {
+        parts.extend(mapped(part, world.frames[p.frame].to_world));
+    });
+    parts = widened(parts);
+    for (int i = 0; i < 3; ++i) {
+        if (parts.min[i] > box.min[i]) box.min[i] = parts.min[i];
+        if (parts.max[i] < box.max[i]) box.max[i] = parts.max[i];
+    }
+    return box;
+}
+
 }  // namespace lancer

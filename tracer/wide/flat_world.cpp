@@ -72,6 +72,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     finish_of_composites_ = static_cast<std::uint32_t>(world.finishes.size());
     frames_.reserve(world.frames.size());
     for (const lancer::Frame<double>& f : world.frames) frames_.push_back(frame_of(f));
+    mesh_shapes_.reserve(2 * world.meshes.size());  // smooth and not
     add_patterns(world);
     for (const Primitive<double>& p : world.primitives) add(p, world);
     for (const lancer::Finish<double>& f : world.finishes) add(f, world);
@@ -85,6 +86,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.balls = balls_.data();
     scene_.planes = planes_.data();
     scene_.meshes = meshes_.data();
+    scene_.frames = frames_.data();
     scene_.boxes = boxes_.data();
     scene_.frustums = frustums_.data();
     scene_.finishes = finishes_.data();
@@ -107,7 +109,7 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
     if (const auto* mesh = std::get_if<MeshInstance<double>>(&primitive.solid)) {
         item.kind = Kind::mesh;
         item.shape = static_cast<std::uint32_t>(meshes_.size());
-        add(*mesh, primitive.frame == none ? nullptr : &frames_[primitive.frame]);
+        add(*mesh, primitive.frame);
     }
     // A composite shows its leaves' materials, which the exact methods know.
     item.material = primitive.composite() == nullptr ? primitive.material : finish_of_composites_;
@@ -207,9 +209,29 @@ Item FlatWorld::add_in_world(const Solid<double>& solid) {
     return item;
 }
 
-void FlatWorld::add(const MeshInstance<double>& instance, const Frame* frame) {
-    const TriangleMesh<double>& mesh = *instance.mesh;
+void FlatWorld::add(const MeshInstance<double>& instance, std::uint32_t frame) {
     Mesh& m = meshes_.emplace_back();
+    m.shape = shape_of(instance);
+    m.frame = frame;
+    if (frame == nothing) return;
+    const Frame& f = frames_[frame];
+    for (int i = 0; i < 3; ++i) {
+        m.shift[i] = f.shift[i];
+        m.inverse_x[i] = f.linear_inverse[i][0];
+        m.inverse_y[i] = f.linear_inverse[i][1];
+        m.inverse_z[i] = f.linear_inverse[i][2];
+    }
+    m.inverse_norm = f.inverse_norm;
+    m.transform_error = f.transform_error;
+    m.keeps_digits = f.keeps_digits;
+}
+
+const MeshShape* FlatWorld::shape_of(const MeshInstance<double>& instance) {
+    const TriangleMesh<double>& mesh = *instance.mesh;
+    const MeshShape*& shape = shapes_of_meshes_[{&mesh, instance.smooth}];
+    if (shape != nullptr) return shape;
+    MeshShape& m = mesh_shapes_.emplace_back();
+    shape = &m;
     m.tree = tree_of(mesh.bvh);
     m.leaves = reinterpret_cast<const TriangleBlock*>(mesh.leaves.data());
     m.reach = mesh.bvh.reach;
@@ -220,7 +242,7 @@ void FlatWorld::add(const MeshInstance<double>& instance, const Frame* frame) {
         m.normals = reinterpret_cast<const double(*)[3]>(mesh.normals.data());
         m.normal_faces = reinterpret_cast<const std::uint32_t(*)[3]>(mesh.normal_faces->data());
     }
-    m.frame = frame;
+    return shape;
 }
 
 void FlatWorld::add(const lancer::Finish<double>& finish, const World<double>& world) {

@@ -1,6 +1,8 @@
 // A world as plain arrays, for code that must not call functions of elsewhere: wide/scene.h.
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "tracer/scene/world.h"
@@ -20,7 +22,8 @@ class FlatWorld {
   private:
     void add(const Primitive<double>& primitive, const World<double>& world);
     Item add_in_world(const Solid<double>& solid);
-    void add(const MeshInstance<double>& instance, const Frame* frame);
+    void add(const MeshInstance<double>& instance, std::uint32_t frame);
+    const MeshShape* shape_of(const MeshInstance<double>& instance);
     void add(const lancer::Finish<double>& finish, const World<double>& world);
     void add(const LightSource<double>& light, const World<double>& world);
     void add_patterns(const World<double>& world);
@@ -30,6 +33,8 @@ class FlatWorld {
     std::vector<Ball> balls_;
     std::vector<Plane> planes_;
     std::vector<Mesh> meshes_;
+    std::vector<MeshShape> mesh_shapes_;  ///< never moved
+    std::map<std::pair<const TriangleMesh<double>*, bool>, const MeshShape*> shapes_of_meshes_;
     std::vector<Box> boxes_;
     std::vector<Frustum> frustums_;
     std::vector<std::uint32_t> medium_slots_;

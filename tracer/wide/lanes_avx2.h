@@ -31,6 +31,10 @@ LANCER_INLINE Numbers all(double x) {
 LANCER_INLINE Numbers load(const double* from) {
     return {_mm256_loadu_pd(from), _mm256_loadu_pd(from + 4)};
 }
+/// Four numbers, twice.
+LANCER_INLINE Numbers load_twice(const double* from) {
+    return {_mm256_loadu_pd(from), _mm256_loadu_pd(from)};
+}
 LANCER_INLINE void store(double* to, const Numbers& a) {
     _mm256_storeu_pd(to, a.low);
     _mm256_storeu_pd(to + 4, a.high);

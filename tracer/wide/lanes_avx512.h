@@ -35,6 +35,10 @@ LANCER_INLINE Numbers all(double x) {
 LANCER_INLINE Numbers load(const double* from) {
     return {_mm512_loadu_pd(from)};
 }
+/// Four numbers, twice.
+LANCER_INLINE Numbers load_twice(const double* from) {
+    return {_mm512_broadcast_f64x4(_mm256_loadu_pd(from))};
+}
 LANCER_INLINE void store(double* to, const Numbers& a) {
     _mm512_storeu_pd(to, a.v);
 }

@@ -26,7 +26,10 @@
 //
 #include "tracer/wide/frustum_crossings.h"
 //
+#include "tracer/wide/lone_rays.h"
 #include "tracer/wide/meshes.h"
+//
+#include "tracer/wide/lone_meshes.h"
 //
 #include "tracer/wide/nearest.h"
 #include "tracer/wide/passes.h"

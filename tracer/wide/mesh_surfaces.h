@@ -28,8 +28,9 @@ LANCER_INLINE Vectors unit(const Vectors& v, Mask& odd) {
 }
 
 /// \return the hits that are left to scalar code
-[[gnu::noinline]] inline Mask put_mesh(const Mesh& mesh, const NearestHits& hits, Mask mask,
-                                       Surfaces& s) {
+[[gnu::noinline]] inline Mask put_mesh(const Scene& scene, const Mesh& placed,
+                                       const NearestHits& hits, Mask mask, Surfaces& s) {
+    const MeshShape& mesh = *placed.shape;
     const Numbers zero = all(0.0);
     const Numbers one = all(1.0);
     Vectors a{zero, zero, zero};
@@ -64,12 +65,12 @@ LANCER_INLINE Vectors unit(const Vectors& v, Mask& odd) {
     Mask odd = 0;
     VectorPair place;
     Vectors geometric, normal;
-    if (mesh.frame == nullptr) {
+    if (placed.frame == nothing) {
         place = two_sum(a, offset);
         geometric = unit(flat, odd);
         normal = unit(shading, odd);
     } else {
-        const Frame& frame = *mesh.frame;
+        const Frame& frame = scene.frames[placed.frame];
         const Vectors anchor = map_vector(frame.to_world, a);
         offset = map_vector(frame.to_world, offset);
         const VectorPair inner = two_sum(anchor, offset);

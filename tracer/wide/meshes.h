@@ -3,16 +3,12 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// Whether scalar code is faster: it takes one ray into the object's space, not eight.
-LANCER_INLINE bool is_better_alone(const Mesh& mesh, Mask mask) {
-    return mesh.frame != nullptr && (mask & (mask - 1)) == 0;
-}
-
 class MeshQuery {
   public:
-    MeshQuery(const Mesh& mesh, std::uint32_t item, const Rays& world, const Starts& starts)
-        : mesh_(mesh), starts_(starts), own_(equal(starts.item, item)) {
-        rays_ = mesh.frame == nullptr ? world : to_local(world, *mesh.frame);
+    MeshQuery(const Scene& scene, const Mesh& mesh, std::uint32_t item, const Rays& world,
+              const Starts& starts)
+        : mesh_(*mesh.shape), starts_(starts), own_(equal(starts.item, item)) {
+        rays_ = mesh.frame == nothing ? world : to_local(world, scene.frames[mesh.frame]);
     }
 
     /// The rays that start on the mesh.
@@ -80,15 +76,16 @@ class MeshQuery {
         return met(hits, face);
     }
 
-    const Mesh& mesh_;
+    const MeshShape& mesh_;
     const Starts& starts_;
     const Mask own_;
     Rays rays_;
 };
 
-[[gnu::noinline]] inline void mesh_crossings(const Mesh& mesh, std::uint32_t item, const Rays& r,
+[[gnu::noinline]] inline void mesh_crossings(const Scene& scene, const Mesh& mesh,
+                                             std::uint32_t item, const Rays& r,
                                              const Starts& starts, Mask active, NearestHits& hits) {
-    MeshQuery query(mesh, item, r, starts);
+    MeshQuery query(scene, mesh, item, r, starts);
     query.crossings(active, hits.limit, [&](const TriangleHits& h, std::uint32_t face) {
         // Where it starts a ray meets no other face of what it starts on (IntersectionFilter).
         const Mask own = h.mask & query.own();
@@ -104,9 +101,10 @@ struct MeshShadow {
     Mask blocks = 0;
     Mask unsure = 0;
 
-    MeshShadow(const Mesh& mesh, std::uint32_t item, const Rays& r, const Starts& starts,
-               Mask active, const Numbers& distance) {
-        MeshQuery query(mesh, item, r, starts);
+    MeshShadow() = default;
+    MeshShadow(const Scene& scene, const Mesh& mesh, std::uint32_t item, const Rays& r,
+               const Starts& starts, Mask active, const Numbers& distance) {
+        MeshQuery query(scene, mesh, item, r, starts);
         query.crossings(active, distance, [&](const TriangleHits& h, std::uint32_t) {
             const Mask ahead = less(h.error, h.t);
             const Mask behind = less(h.t, -h.error);

@@ -34,9 +34,10 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     if (item.kind == Kind::mesh) {
         const Mesh& mesh = scene.meshes[item.shape];
         if (is_better_alone(mesh, mask))
-            exact_crossings(*job.exact, index, r, starts, mask, hits);
+            for_each_lane(mask,
+                          [&](int i) { lone_mesh_crossings(mesh, index, r, starts, i, hits); });
         else
-            mesh_crossings(mesh, index, r, starts, mask, hits);
+            mesh_crossings(scene, mesh, index, r, starts, mask, hits);
         return;
     }
     const Mask own = mask & equal(starts.item, index);

@@ -70,8 +70,8 @@ struct TriangleBlock {
     std::uint32_t face[4];
 };
 
-/// A mesh where it stands: MeshInstance<double> and the frame of its primitive.
-struct Mesh {
+/// TriangleMesh<double>, smooth or not
+struct MeshShape {
     Tree tree;
     const TriangleBlock* leaves;
     double reach;
@@ -80,7 +80,20 @@ struct Mesh {
     const std::uint32_t (*faces)[3];
     const double (*normals)[3];  ///< null: none are interpolated
     const std::uint32_t (*normal_faces)[3];
-    const Frame* frame;  ///< null: in world space
+};
+
+/// A mesh where it stands: MeshInstance<double>, and what of its primitive's frame takes a ray
+/// there, in two lines of the cache.
+struct alignas(64) Mesh {
+    double shift[3];
+    double inverse_norm;
+    double inverse_x[3];  ///< of linear_inverse the first column
+    double transform_error;
+    double inverse_y[3];
+    const MeshShape* shape;
+    double inverse_z[3];
+    std::uint32_t frame;  ///< index into Scene::frames; `nothing`: in world space
+    bool keeps_digits;
 };
 
 enum class Kind : std::uint8_t {
@@ -170,6 +183,7 @@ struct Scene {
     const Ball* balls;
     const Plane* planes;  ///< items[bounded..]
     const Mesh* meshes;
+    const Frame* frames;
     const Box* boxes;
     const Frustum* frustums;
     const Finish* finishes;

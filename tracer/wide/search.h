@@ -10,40 +10,50 @@ inline constexpr int stack_size = 768;
 /// No more rays than this go on one by one: eight boxes by one ray cost what one box by eight does.
 inline constexpr int few_rays = 2;
 
-/// One ray of eight on its way through the nodes from `child` on: traverse() of bvh/traverse.h.
-template <class Limit, class Leaf>
-[[gnu::noinline]] void traverse_alone(const Tree& tree, const BoxRays& rays, int i, Mask& active,
-                                      std::uint32_t child, const Limit& limit, Leaf&& leaf) {
+/// One ray as the tests of eight boxes see it.
+struct LoneSlabs {
+    struct Axis {
+        Floats enter_origin, leave_origin, enter_inverse, leave_inverse;
+        int enter, leave;  ///< where in the node, in floats, the planes are
+
+        LANCER_INLINE void put(int axis, float from_enter, float from_leave, float by_enter,
+                               float by_leave, bool minus) {
+            enter_origin = all(from_enter);
+            leave_origin = all(from_leave);
+            enter_inverse = all(by_enter);
+            leave_inverse = all(by_leave);
+            enter = 8 * axis + (minus ? 24 : 0);
+            leave = 8 * axis + (minus ? 0 : 24);
+        }
+    };
+    Axis axes[3];
+};
+
+/// Its way through the nodes from `child` on: traverse() of bvh/traverse.h.
+///
+/// \param last_now  called for a bound on the parameters of boxes that matter
+/// \param leaf      leaf(first, count) returns true to end the search
+template <class Last, class Leaf>
+LANCER_INLINE void descend(const Tree& tree, const LoneSlabs& slabs, std::uint32_t child,
+                           const Last& last_now, Leaf&& leaf) {
     struct Waiting {
         std::uint32_t child, count;
         float near;
     };
     Waiting stack[stack_size];
     int top = 0;
-    struct Axis {
-        Floats enter_origin, leave_origin, enter_inverse, leave_inverse;
-        int enter, leave;  ///< where in the node, in floats, the planes are
-    } axes[3];
-    for (int a = 0; a < 3; ++a) {
-        const BoxRays::Slab& slab = rays.slabs[a];
-        const bool minus = (negative(slab.leave_inverse) >> i & 1) != 0;
-        axes[a] = {all(lane(slab.enter_origin, i)),  all(lane(slab.leave_origin, i)),
-                   all(lane(slab.enter_inverse, i)), all(lane(slab.leave_inverse, i)),
-                   8 * a + (minus ? 24 : 0),         8 * a + (minus ? 0 : 24)};
-    }
-    float last = lane(limit(), i);
+    float last = last_now();
     Waiting item{child, 0, 0};
     for (;;) {
         if (item.count != 0) {
-            leaf(item.child, item.count, Mask(1) << i);
-            if ((active >> i & 1) == 0) return;
-            last = lane(limit(), i);
+            if (leaf(item.child, item.count)) return;
+            last = last_now();
         } else {
             const Node& node = tree.nodes[item.child];
             const float* planes = &node.min[0][0];
             Floats near = all(0.0F);
             Floats far = all(last);
-            for (const Axis& a : axes) {
+            for (const LoneSlabs::Axis& a : slabs.axes) {
                 near = larger((load(planes + a.enter) - a.enter_origin) * a.enter_inverse, near);
                 far = smaller((load(planes + a.leave) - a.leave_origin) * a.leave_inverse, far);
             }
@@ -78,6 +88,25 @@ template <class Limit, class Leaf>
             item = stack[--top];
         } while (item.near > last * far_factor);
     }
+}
+
+/// One ray of eight on its way through the nodes from `child` on.
+template <class Limit, class Leaf>
+[[gnu::noinline]] void traverse_alone(const Tree& tree, const BoxRays& rays, int i, Mask& active,
+                                      std::uint32_t child, const Limit& limit, Leaf&& leaf) {
+    LoneSlabs slabs;
+    for (int a = 0; a < 3; ++a) {
+        const BoxRays::Slab& s = rays.slabs[a];
+        slabs.axes[a].put(a, lane(s.enter_origin, i), lane(s.leave_origin, i),
+                          lane(s.enter_inverse, i), lane(s.leave_inverse, i),
+                          (negative(s.leave_inverse) >> i & 1) != 0);
+    }
+    descend(
+        tree, slabs, child, [&] { return lane(limit(), i); },
+        [&](std::uint32_t first, std::uint32_t count) {
+            leaf(first, count, Mask(1) << i);
+            return (active >> i & 1) == 0;
+        });
 }
 
 /// BoxRays, twice.

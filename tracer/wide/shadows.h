@@ -78,12 +78,15 @@ class ShadowQuery {
         mask &= ~equal(starts_.left, index);
         if (!item.casts_shadow || mask == 0) return;
         if (item.kind == Kind::mesh) {
-            if (is_better_alone(scene_.meshes[item.shape], mask) && !item.glassy) {
-                ask_exactly(index, mask);
-                return;
+            const Mesh& mesh = scene_.meshes[item.shape];
+            if (is_better_alone(mesh, mask)) {
+                for_each_lane(mask, [&](int i) {
+                    note(lone_mesh_shadow(mesh, index, rays_, starts_, i, lane(distance_, i)),
+                         item.glassy);
+                });
+            } else {
+                note(MeshShadow(scene_, mesh, index, rays_, starts_, mask, distance_), item.glassy);
             }
-            note(MeshShadow(scene_.meshes[item.shape], index, rays_, starts_, mask, distance_),
-                 item.glassy);
             return;
         }
         const Mask own = mask & equal(starts_.item, index);

@@ -110,7 +110,7 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     while (meshes != 0) {
         const std::uint32_t item = hits.item[__builtin_ctz(meshes)];
         const Mask same = meshes & equal(hits.item, item);
-        exact |= put_mesh(scene.meshes[scene.items[item].shape], hits, same, s);
+        exact |= put_mesh(scene, scene.meshes[scene.items[item].shape], hits, same, s);
         meshes &= ~same;
     }
     s.normal = select(less(zero, dot(s.normal, r.dir)), -s.normal, s.normal);

@@ -84,9 +84,18 @@ struct TriangleCorners {
           b{all(block.corner[1][0][i]), all(block.corner[1][1][i]), all(block.corner[1][2][i])},
           c{all(block.corner[2][0][i]), all(block.corner[2][1][i]), all(block.corner[2][2][i])} {}
 
+    /// All four, twice.
+    LANCER_INLINE explicit TriangleCorners(const TriangleBlock& block)
+        : a(corners(block.corner[0])), b(corners(block.corner[1])), c(corners(block.corner[2])) {}
+
     /// By plain differences: the rays of the group that may meet the triangle.
     LANCER_INLINE Mask may_meet(const Rays& r, const Shears& s, const Shears::Group& g) const {
         return Sheared(s, g, a - r.origin, b - r.origin, c - r.origin).may_meet(s.noise);
+    }
+
+  private:
+    LANCER_INLINE static Vectors corners(const double (&places)[3][4]) {
+        return {load_twice(places[0]), load_twice(places[1]), load_twice(places[2])};
     }
 };
 

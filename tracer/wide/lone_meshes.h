@@ -1,0 +1,172 @@
+// One of eight rays by a mesh where it stands: it is taken into the mesh's space by itself, and
+// goes by the triangles of a leaf side by side.
+#pragma once
+
+namespace lancer::wide::LANCER_LEVEL {
+
+/// Whether so few rays are better taken there one by one.
+LANCER_INLINE bool is_better_alone(const Mesh& mesh, Mask mask) {
+    return mesh.frame != nothing && __builtin_popcount(mask) <= few_rays;
+}
+
+class LoneMeshQuery {
+  public:
+    LoneMeshQuery(const Mesh& mesh, const Rays& world, int i)
+        : placed_(mesh),
+          mesh_(*mesh.shape),
+          ray_(world, i, mesh),
+          world_error_(lane(world.origin_error, i)) {}
+
+    /// Calls met(hit), for every face but `start_face` that the ray crosses on its way from 0 to
+    /// `last`; crossings behind the start may be among them. It returns true to hear no more.
+    ///
+    /// \param last  called for the parameter beyond which nothing matters
+    template <class Last, class Met>
+    LANCER_INLINE void crossings(std::uint32_t start_face, const Last& last, const Met& met) {
+        const LoneBoxRay box_ray(mesh_.tree, ray_, last());
+        if (box_ray.misses) return;
+        descend(
+            mesh_.tree, box_ray.slabs, 0, [&] { return box_ray.parameter(last()); },
+            [&](std::uint32_t index, std::uint32_t count) {
+                if (shears_.count == 0) set_shear();  // a ray that reaches no leaf does without
+                const TriangleBlock& block = mesh_.leaves[index];
+                Mask some = may_meet(block) & ((1U << count) - 1);
+                if (start_face != nothing) {
+                    for_each_lane(some, [&](int c) {
+                        if (block.face[c] == start_face) some &= ~(1U << c);
+                    });
+                }
+                return some != 0 && meet(block, some, last(), met);
+            });
+    }
+
+  private:
+    [[gnu::noinline]] void set_shear() {
+        double dir[4], inverse[4], size[4], origin[4];
+        store(dir, ray_.dir);
+        store(inverse, ray_.inv_dir);
+        store(size, absolute(ray_.dir));
+        store(origin, ray_.origin);
+        Shears::Group& g = shears_.groups[0];
+        g.z = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
+        const bool backward = dir[g.z] < 0;
+        g.x = (g.z + (backward ? 2 : 1)) % 3;
+        g.y = (g.z + (backward ? 1 : 2)) % 3;
+        g.mask = 255;
+        shears_.count = 1;
+        const double sz = inverse[g.z];
+        sx_ = four(dir[g.x] * sz);
+        sy_ = four(dir[g.y] * sz);
+        ox_ = four(origin[g.x]);
+        oy_ = four(origin[g.y]);
+        oz_ = four(origin[g.z]);
+        const double error = ray_.error(world_error_, placed_);
+        double noise = 0;
+        if (!ray_.whole) {
+            double place[4];
+            store(place, absolute(ray_.origin));
+            const double filter_error =
+                gamma<double, 16> * (place[0] + place[1] + place[2]) + error;
+            const double places = mesh_.reach + filter_error * (1 / gamma<double, 16>);
+            noise = gamma<double, 512> * places * places;
+        }
+        noise_ = four(noise);
+        shears_.sx = all(first(sx_));
+        shears_.sy = all(first(sy_));
+        shears_.sz = all(sz);
+        rays_.origin = all(ray_.origin);
+        rays_.origin_lo = all(ray_.origin_lo);
+        rays_.origin_error = all(error);
+        rays_.whole = ray_.whole ? 255 : 0;
+    }
+
+    /// may_meet() of one of eight rays
+    LANCER_INLINE Mask may_meet(const TriangleBlock& block) const {
+        const Shears::Group& g = shears_.groups[0];
+        struct Across {
+            Fours x, y;
+        };
+        const auto across = [&](int c) {
+            const Fours z = four(block.corner[c][g.z]) - oz_;
+            return Across{(four(block.corner[c][g.x]) - ox_) - sx_ * z,
+                          (four(block.corner[c][g.y]) - oy_) - sy_ * z};
+        };
+        const Across a = across(0);
+        const Across b = across(1);
+        const Across c = across(2);
+        const Fours u = c.x * b.y - c.y * b.x;
+        const Fours v = a.x * c.y - a.y * c.x;
+        const Fours w = b.x * a.y - b.y * a.x;
+        return ~(less(smaller(smaller(u, v), w), -noise_) & less(noise_, larger(larger(u, v), w)));
+    }
+
+    /// The triangles of the mask, side by side.
+    template <class Met>
+    [[gnu::noinline]] bool meet(const TriangleBlock& block, Mask mask, double last,
+                                const Met& met) const {
+        const TriangleHits hits = intersect_exactly(TriangleCorners(block), rays_, shears_,
+                                                    shears_.groups[0], mask, all(last));
+        for (Mask left = hits.mask; left != 0; left &= left - 1) {
+            const int c = __builtin_ctz(left);
+            const std::uint32_t face = block.face[c];
+            const bool inward = mesh_.inward != nullptr && mesh_.inward[face] != 0;
+            const LaneHit hit{lane(hits.t, c),
+                              lane(hits.error, c),
+                              lane(hits.u, c),
+                              lane(hits.v, c),
+                              nothing,
+                              face,
+                              ((hits.entering >> c & 1) != 0) != inward};
+            if (met(hit)) return true;
+        }
+        return false;
+    }
+
+    const Mesh& placed_;
+    const MeshShape& mesh_;
+    const LoneRay ray_;
+    const double world_error_;
+    Fours sx_, sy_, ox_, oy_, oz_, noise_;
+    Shears shears_;
+    Rays rays_;  ///< eight times the ray: `origin`, `origin_lo`, `origin_error` and `whole`
+};
+
+/// mesh_crossings() of one ray
+[[gnu::noinline]] inline void lone_mesh_crossings(const Mesh& mesh, std::uint32_t item,
+                                                  const Rays& r, const Starts& starts, int i,
+                                                  NearestHits& hits) {
+    LoneMeshQuery query(mesh, r, i);
+    const bool own = starts.item[i] == item;
+    query.crossings(
+        own ? starts.face[i] : nothing, [&] { return lane(hits.limit, i); },
+        [&](LaneHit hit) {
+            if (hit.t < -hit.error) return false;
+            hit.item = item;
+            if (hit.error < hit.t)
+                hits.add(i, hit);
+            else if (!own)
+                hits.unsure |= Mask(1) << i;
+            return false;
+        });
+}
+
+/// MeshShadow of one ray
+[[gnu::noinline]] inline MeshShadow lone_mesh_shadow(const Mesh& mesh, std::uint32_t item,
+                                                     const Rays& r, const Starts& starts, int i,
+                                                     double distance) {
+    LoneMeshQuery query(mesh, r, i);
+    const bool own = starts.item[i] == item;
+    MeshShadow shadow;
+    const Mask bit = Mask(1) << i;
+    query.crossings(
+        own ? starts.face[i] : nothing, [&] { return distance; },
+        [&](const LaneHit& hit) {
+            const bool ahead = hit.error < hit.t;
+            if (!own && !ahead && !(hit.t < -hit.error)) shadow.unsure |= bit;
+            if (ahead && hit.t < distance - hit.error) shadow.blocks |= bit;
+            return shadow.blocks != 0;
+        });
+    return shadow;
+}
+
+}  // namespace lancer::wide::LANCER_LEVEL
