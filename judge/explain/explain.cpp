@@ -62,6 +62,27 @@ bool is_coincident(const DifferentPixel& pixel, double tolerance, const SecondLo
            distance(resolved.without(x, y).color, pixel.ours) <= tolerance;
 }
 
+/// The pixels that are asked about. Rays are spent first where the other program has another value
+/// than ours although coincident faces were told apart: elsewhere its picture tells enough, if need
+/// be.
+std::vector<std::size_t> asked_about(const Image& ours, const std::vector<double>& differences,
+                                     const Thresholds& limits, const SecondLook& second) {
+    std::vector<std::size_t> pixels;
+    bool any = false;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        if (differences[i] <= std::min(limits.tight, limits.interior)) continue;
+        pixels.push_back(i);
+        any = any || differences[i] > limits.interior;
+    }
+    if (!any || !second.resolved) return pixels;
+    const std::vector<double> told_apart =
+        reference::pixel_differences(ours, second.resolved().theirs);
+    std::stable_partition(pixels.begin(), pixels.end(), [&](std::size_t i) {
+        return differences[i] > limits.interior && told_apart[i] > limits.interior;
+    });
+    return pixels;
+}
+
 /// Whether rounding can put the edge on the other side of the centre.
 bool is_rounding(const Crossing& crossing, const Thresholds& limits) {
     return std::hypot(crossing.dx, crossing.dy) <= limits.rounding;
@@ -111,6 +132,17 @@ void classify(DifferentPixel& pixel, const ProbeFunction& probe, const Threshold
     } else if (reached_at(probe, x, y, pixel.theirs, limits.digits, limits.interior)) {
         pixel.pixel_class = PixelClass::steep;
     }
+}
+
+/// The other program may have a value there that is neither, because an edge passes the centre:
+/// that explains the pixel, and counts as an edge does.
+void explain_told_apart(DifferentPixel& pixel, const ProbeFunction& probe, const Thresholds& limits,
+                        const SecondLook& second) {
+    DifferentPixel apart = pixel;
+    apart.theirs = color_at(second.resolved().theirs, pixel.x, pixel.y);
+    classify(apart, probe, limits, {});
+    pixel.pixel_class = apart.pixel_class;
+    pixel.offset = apart.offset;
 }
 
 /// The picture, where registration looks and differs by `least`, as the rules have it: a rule that
@@ -255,8 +287,7 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
     std::vector<Offset> offsets;
     std::vector<DifferentPixel> slight;  // not shown to be anything yet
     bool coincident = false;
-    for (std::size_t i = 0; i < differences.size(); ++i) {
-        if (differences[i] <= std::min(limits.tight, limits.interior)) continue;
+    for (const std::size_t i : asked_about(ours, differences, limits, second)) {
         DifferentPixel pixel;
         pixel.x = static_cast<int>(i % static_cast<std::size_t>(ours.width));
         pixel.y = static_cast<int>(i / static_cast<std::size_t>(ours.width));
@@ -284,6 +315,8 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
                 pixel.offset = {};
                 coincident = true;
             }
+            if (pixel.pixel_class == PixelClass::unexplained && may_look && look_again.resolved)
+                explain_told_apart(pixel, look, limits, look_again);
             if (pixel.pixel_class == PixelClass::unexplained && may_look && look_again.around &&
                 asked < most_outliers) {
                 ++asked;
@@ -302,6 +335,10 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
         result.classes[i] = pixel.pixel_class;
         result.different.push_back(pixel);
     }
+    std::sort(result.different.begin(), result.different.end(),
+              [](const DifferentPixel& a, const DifferentPixel& b) {
+                  return a.y != b.y ? a.y < b.y : a.x < b.x;
+              });
     const double slight_share =
         static_cast<double>(slight.size()) / static_cast<double>(differences.size());
     if (look_again.resolved && (coincident || slight_share > 1 - limits.tight_share)) {

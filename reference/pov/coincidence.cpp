@@ -43,16 +43,39 @@ class Resolver {
         const Kind& second = kinds_[b.object];
         FacePair pair{a, b, look_alike(a, b), Resolution::none};
         if (a.object == b.object) return within(pair);
-        if (is_cutter(a) || is_cutter(b)) {
-            // Nothing is there, but where the cutter ends in a face of its own body.
-            pair.resolution = Resolution::hidden;
+        pair.front.turned = is_cutter(a);
+        pair.back.turned = is_cutter(b);
+        if (!pair.front.turned && !pair.back.turned) {
+            decide(pair, first, second);
             return pair;
         }
+        // Where a cutter ends in a face of its own body nothing is there. Else its face is the wall
+        // of a hole, in which another body may stand.
+        pair.alike = !pair.alike;
+        const bool wall = a.shows && b.shows && pair.front.turned != pair.back.turned &&
+                          first.body && second.body;
+        if (wall) decide(pair, first, second);
+        if (pair.resolution == Resolution::none) pair.resolution = Resolution::hidden;
+        return pair;
+    }
+
+    /// Whether the face is a cutter's and lies in a face of the body that is cut.
+    bool ends_in_its_body(const Face& face, const std::vector<Face>& faces) const {
+        return is_cutter(face) && std::any_of(faces.begin(), faces.end(), [&](const Face& other) {
+                   return other.object == face.object && !is_cutter(other) &&
+                          coincide(face, other) && look_alike(face, other);
+               });
+    }
+
+  private:
+    void decide(FacePair& pair, const Kind& first, const Kind& second) const {
+        const std::uint32_t a = pair.front.object;
+        const std::uint32_t b = pair.back.object;
         if (!first.body || !second.body) {
             with_sheet(pair, first, second);
         } else if (pair.alike) {
             // What the ray meets first is what shows, or what it enters first.
-            if (first.clear && second.clear) return pair;
+            if (first.clear && second.clear) return;
             if (second.clear || !first.clear)
                 pair.resolution = Resolution::in_front;
             else
@@ -62,15 +85,13 @@ class Resolver {
         } else if (first.clear != second.clear) {
             pair.resolution = Resolution::sunk;
             if (!first.clear) std::swap(pair.front, pair.back);
-        } else if (!is_same_matter(a.object, b.object)) {
+        } else if (!is_same_matter(a, b)) {
             pair.resolution = Resolution::overlapped;
-        } else if (can_be_merged(a.object, b.object)) {
+        } else if (can_be_merged(a, b)) {
             pair.resolution = Resolution::merged;
         }
-        return pair;
     }
 
-  private:
     bool is_cutter(const Face& face) const {
         if (face.part == none) return false;
         const Composite& whole = composite_of(face.object);
@@ -146,8 +167,9 @@ class Resolver {
 
 std::vector<FacePair> face_pairs(const Scene& scene) {
     constexpr std::size_t most = 4000;
-    const std::vector<Face> faces = faces_of(scene, most);
+    std::vector<Face> faces = faces_of(scene, most);
     const Resolver resolver(scene);
+    for (Face& face : faces) face.shows = !resolver.ends_in_its_body(face, faces);
     std::vector<FacePair> pairs;
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (std::size_t j = i + 1; j < faces.size(); ++j)

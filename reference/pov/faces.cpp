@@ -51,7 +51,8 @@ struct FaceFinder {
     std::size_t most;
     std::vector<Face>& out;
 
-    void add_flat(const Vec3d& outwards, std::initializer_list<Vec3d> corners) const {
+    void add_flat(const Vec3d& outwards, std::initializer_list<Vec3d> corners,
+                  std::uint32_t index = none) const {
         std::vector<Vec3d> p;
         for (const Vec3d& corner : corners) p.push_back(map_point(to_world, corner));
         const Vec3d across = cross(p[1] - p[0], p[2] - p[0]);
@@ -62,22 +63,23 @@ struct FaceFinder {
             face.normal = -face.normal;
         face.offset = dot(face.normal, p[0]);
         face.corners = std::move(p);
-        out.push_back({object, face, 1, none});
+        out.push_back({object, face, 1, none, index});
     }
-    void rectangle(const Vec3d& outwards, const Vec3d& corner, const Vec3d& a,
-                   const Vec3d& b) const {
-        add_flat(outwards, {corner, corner + a, corner + b, corner + a + b});
+    void rectangle(const Vec3d& outwards, const Vec3d& corner, const Vec3d& a, const Vec3d& b,
+                   std::uint32_t index = none) const {
+        add_flat(outwards, {corner, corner + a, corner + b, corner + a + b}, index);
     }
-    void disc(const Vec3d& center, const Vec3d& outwards, double radius) const {
+    void disc(const Vec3d& center, const Vec3d& outwards, double radius,
+              std::uint32_t index = none) const {
         if (radius <= 0) return;
         const Vec3d w = normalize(outwards);
         const Vec3d u =
             normalize(cross(w, std::abs(w.x) > 0.5 ? Vec3d(0, 1, 0) : Vec3d(1, 0, 0))) * radius;
         const Vec3d v = cross(w, u);
-        rectangle(outwards, center - u - v, 2.0 * u, 2.0 * v);
+        rectangle(outwards, center - u - v, 2.0 * u, 2.0 * v, index);
     }
     void side(const Vec3d& base, const Vec3d& top, double base_radius, double top_radius,
-              int outward) const {
+              int outward, std::uint32_t index = none) const {
         const std::optional<double> factor = similarity(to_world);
         if (!factor) return;
         const Vec3d from = map_point(to_world, base);
@@ -96,26 +98,28 @@ struct FaceFinder {
         face.radius = *factor * base_radius - face.slope * first;
         face.low = std::min(first, second);
         face.high = std::max(first, second);
-        out.push_back({object, face, outward, none});
+        out.push_back({object, face, outward, none, index});
     }
 
     void operator()(const Box& box) const {
         const Vec3d d = box.max - box.min;
-        const Vec3d x(d.x, 0, 0), y(0, d.y, 0), z(0, 0, d.z);
-        for (const auto& [a, b, c] :
-             {std::array{x, y, z}, std::array{y, z, x}, std::array{z, x, y}}) {
-            rectangle(-c, box.min, a, b);
-            rectangle(c, box.min + c, a, b);
+        const std::array edges{Vec3d(d.x, 0, 0), Vec3d(0, d.y, 0), Vec3d(0, 0, d.z)};
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            const Vec3d& across = edges[axis];
+            const Vec3d& a = edges[(axis + 1) % 3];
+            const Vec3d& b = edges[(axis + 2) % 3];
+            rectangle(-across, box.min, a, b, 2 * axis);
+            rectangle(across, box.min + across, a, b, 2 * axis + 1);
         }
     }
     void operator()(const Cylinder& s) const {
         (*this)(Cone{s.base, s.top, s.radius, s.radius, s.capped});
     }
     void operator()(const Cone& s) const {
-        side(s.base, s.top, s.base_radius, s.top_radius, 1);
+        side(s.base, s.top, s.base_radius, s.top_radius, 1, s.capped ? 0 : none);
         if (!s.capped) return;
-        disc(s.base, s.base - s.top, s.base_radius);
-        disc(s.top, s.top - s.base, s.top_radius);
+        disc(s.base, s.base - s.top, s.base_radius, 1);
+        disc(s.top, s.top - s.base, s.top_radius, 2);
     }
     void operator()(const Sphere& s) const {
         const std::optional<double> factor = similarity(to_world);

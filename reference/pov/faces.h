@@ -41,6 +41,11 @@ struct Face {
     /// ball's have 1.
     int outward = 1;
     std::uint32_t part = none;  ///< of a composite: the leaf
+    /// Of a box, twice the axis across it, and one more for the upper face; of a capped cylinder or
+    /// cone the side, the base, the top. Such faces move one by one; other bodies grow as a whole.
+    std::uint32_t index = none;
+    bool shows = true;    ///< false: of a cutter, and in a face of its own body
+    bool turned = false;  ///< of a cutter, and seen as its body's: the inside is outside
 };
 
 /// The faces of all objects, at most `most` of them, meshes last. Of a curved lathe or prism the

@@ -20,9 +20,9 @@ using Resolution = Coincidence::Resolution;
 /// Rounds of raising one body over another. A pile of n bodies takes n.
 constexpr int most_rounds = 64;
 
-/// How an object can move: by `raised` steps.
+/// How an object, or one of its faces, can move: by `raised` steps.
 struct Mover {
-    enum class Way { still, growing, along } way = Way::still;
+    enum class Way { still, growing, along, face } way = Way::still;
     Vec3d center{0, 0, 0};  ///< growing
     double least = 0;       ///< growing: the reach of the nearest of its faces
     Vec3d normal{0, 0, 0};  ///< along
@@ -34,11 +34,59 @@ bool asks_for_nothing(const FacePair& pair) {
     return pair.resolution == Resolution::none || pair.resolution == Resolution::hidden;
 }
 
-/// What moves as one: an object, or a leaf of a composite.
-using Key = std::pair<std::uint32_t, std::uint32_t>;
+/// What moves as one: an object, or a leaf of a composite; or one face of it.
+struct Key {
+    std::uint32_t object, part, face;
+    auto operator<=>(const Key&) const = default;
+};
 Key key_of(const Face& face) {
-    return {face.object, face.part};
+    return {face.object, face.part, face.index};
 }
+
+/// Moves a face of a shape outwards, by so much in the world.
+struct FaceMove {
+    const Affine<double>& to_world;
+    std::uint32_t face;
+    double by;
+
+    /// The same along an axis of the shape's own space.
+    double along(const Vec3d& axis) const {
+        return by * length(map_transposed(inverse(to_world), axis));
+    }
+
+    void operator()(Box& box) const {
+        const int axis = static_cast<int>(face / 2);
+        Vec3d unit(0.0);
+        unit[axis] = 1;
+        (face % 2 == 0 ? box.min : box.max)[axis] += (face % 2 == 0 ? -1 : 1) * along(unit);
+    }
+    void operator()(Cylinder& s) const {
+        Cone cone{s.base, s.top, s.radius, s.radius, s.capped};
+        (*this)(cone);
+        s = {cone.base, cone.top, cone.base_radius, s.capped};
+    }
+    /// The side keeps its place when an end moves. It is known where the map is a similarity.
+    void operator()(Cone& s) const {
+        const Vec3d axis = normalize(s.top - s.base);
+        const double slope = (s.top_radius - s.base_radius) / length(s.top - s.base);
+        if (face == 0) {
+            const double wider =
+                by / length(map_vector(to_world, Vec3d(1, 0, 0))) * std::sqrt(1 + slope * slope);
+            s.base_radius += wider;
+            s.top_radius += wider;
+            return;
+        }
+        const double longer = along(axis);
+        if (face == 1) {
+            s.base = s.base - longer * axis;
+            s.base_radius = std::max(0.0, s.base_radius - slope * longer);
+        } else {
+            s.top = s.top + longer * axis;
+            s.top_radius = std::max(0.0, s.top_radius + slope * longer);
+        }
+    }
+    void operator()(auto&) const {}
+};
 
 class Solver {
   public:
@@ -50,7 +98,7 @@ class Solver {
         }
         for (auto& [key, mover] : movers_) {
             // A body that its own growth would draw out of a face, or hardly move, stays.
-            const auto own = shape_bounds(scene, part_of(scene, key.first, key.second).shape);
+            const auto own = shape_bounds(scene, part_of(scene, key.object, key.part).shape);
             if (mover.way == Mover::Way::growing &&
                 !(mover.least >= 0.01 * moved(map_of(key), *own).diagonal()))
                 mover.way = Mover::Way::still;
@@ -58,21 +106,31 @@ class Solver {
     }
 
     void solve() {
-        for (int round = 0; round < most_rounds; ++round) {
-            bool settled = true;
-            for (const FacePair& pair : pairs_) settled = holds(pair) && settled;
-            if (settled) return;
-            for (const FacePair& pair : pairs_)
-                if (!holds(pair)) raise(pair);
+        if (settle()) return;
+        walls_move_ = false;
+        for (auto& [key, mover] : movers_) {
+            mover.raised = 0;
+            mover.fixed = false;
         }
+        settle();
     }
 
     bool holds(const FacePair& pair) const {
         return asks_for_nothing(pair) || lacking(pair) <= 1e-6;
     }
 
+    /// Moves those faces that move one by one.
+    void move_faces(Object& object, std::uint32_t index, std::uint32_t part, double step) const {
+        for (const auto& [key, mover] : movers_) {
+            if (key.object != index || key.part != part || mover.way != Mover::Way::face) continue;
+            std::visit(FaceMove{map_of(key), key.face, mover.raised * step}, object.shape);
+        }
+    }
+
     /// The object's transform, moved.
-    std::optional<Affine<double>> moved_transform(const Key& key, double step) const {
+    std::optional<Affine<double>> moved_transform(std::uint32_t index, std::uint32_t part,
+                                                  double step) const {
+        const Key key{index, part, none};
         const auto found = movers_.find(key);
         if (found == movers_.end() || found->second.raised == 0) return std::nullopt;
         const Mover& mover = found->second;
@@ -89,12 +147,28 @@ class Solver {
 
   private:
     const Affine<double>& map_of(const Key& key) const {
-        return scene_.transforms[part_of(scene_, key.first, key.second).transform];
+        return scene_.transforms[part_of(scene_, key.object, key.part).transform];
+    }
+
+    /// Whether all pairs hold in the end.
+    bool settle() {
+        for (int round = 0; round < most_rounds; ++round) {
+            bool settled = true;
+            for (const FacePair& pair : pairs_) settled = holds(pair) && settled;
+            if (settled) return true;
+            for (const FacePair& pair : pairs_)
+                if (!holds(pair)) raise(pair);
+        }
+        return false;
     }
 
     void add(const Face& face, const FacePair& pair) {
         const auto [at, is_new] = movers_.try_emplace(key_of(face));
         Mover& mover = at->second;
+        if (face.index != none) {
+            mover.way = Mover::Way::face;
+            return;
+        }
         const Shape& shape = part_of(scene_, face.object, face.part).shape;
         const auto own = shape_bounds(scene_, shape);
         if (is_new) {
@@ -120,8 +194,10 @@ class Solver {
     /// How far the face has moved outwards, in steps, for one step of the object.
     double per_step(const Face& face) const {
         const Mover& mover = movers_.at(key_of(face));
-        if (mover.way == Mover::Way::growing) return reach(face, mover.center) / mover.least;
-        return mover.way == Mover::Way::along ? 1 : 0;
+        const int outwards = face.turned ? -1 : 1;
+        if (mover.way == Mover::Way::growing)
+            return outwards * reach(face, mover.center) / mover.least;
+        return mover.way == Mover::Way::still ? 0 : outwards;
     }
     double displacement(const Face& face) const {
         return per_step(face) * movers_.at(key_of(face)).raised;
@@ -138,11 +214,17 @@ class Solver {
     void raise(const FacePair& pair) {
         Mover& front = movers_.at(key_of(pair.front));
         Mover& back = movers_.at(key_of(pair.back));
-        const auto can_move = [](const Mover& m) { return m.way != Mover::Way::still && !m.fixed; };
+        // A cutter must reach out of its body, so it does not shrink as a whole.
+        const auto can_move = [this](const Mover& m, const Face& face) {
+            const bool may = !face.turned || (walls_move_ && m.way == Mover::Way::face);
+            return m.way != Mover::Way::still && !m.fixed && may;
+        };
         const double steps = lacking(pair);
-        if (can_move(front)) {
+        // A wall sunk into glass is seen less than glass that grows.
+        const bool by_wall = !pair.alike && pair.back.turned && can_move(back, pair.back);
+        if (can_move(front, pair.front) && !by_wall) {
             front.raised += steps / per_step(pair.front);
-        } else if (!can_move(back)) {
+        } else if (!can_move(back, pair.back)) {
             return;
         } else if (!pair.alike) {
             back.raised += steps / per_step(pair.back);
@@ -155,6 +237,7 @@ class Solver {
     const Scene& scene_;
     const std::vector<FacePair>& pairs_;
     std::map<Key, Mover> movers_;
+    bool walls_move_ = true;  ///< of holes, where it leads to an end
 };
 
 /// Objects joined by merged pairs.
@@ -187,7 +270,8 @@ ResolvedScene resolved(const Scene& scene, const std::vector<FacePair>& pairs, d
     Solver solver(scene, pairs);
     solver.solve();
     const auto move = [&](Object& object, std::uint32_t index, std::uint32_t part) {
-        const auto transform = solver.moved_transform({index, part}, step);
+        solver.move_faces(object, index, part, step);
+        const auto transform = solver.moved_transform(index, part, step);
         if (!transform) return;
         object.transform = static_cast<std::uint32_t>(result.scene.transforms.size());
         result.scene.transforms.push_back(*transform);

@@ -19,9 +19,9 @@ struct ResolvedScene {
     std::vector<FacePair> pairs;
 };
 
-/// Objects grow, or move, by about `step` (scene units): a body by a factor about its middle, a
-/// plane and a sheet along the normal. Pairs that ask for nothing, and those for which no way is
-/// found, stay as they are.
+/// Faces of boxes, cylinders and cones move by multiples of `step` (scene units), other bodies grow
+/// by about as much about their middle, planes and sheets move along the normal. Pairs that ask for
+/// nothing, and those for which no way is found, stay as they are.
 ResolvedScene resolved(const Scene& scene, const std::vector<FacePair>& pairs, double step);
 
 }  // namespace lancer::reference::pov

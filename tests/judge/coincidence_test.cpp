@@ -177,6 +177,23 @@ TEST_F(CoincidentFaces, AnOpaqueFaceInFrontOfAnother) {
     }
 }
 
+TEST_F(CoincidentFaces, AGlassRodInTheHoleThatItFills) {
+    Scene scene = stage();
+    const std::uint32_t leaning = add_leaning(scene);
+    Material red;
+    red.color = {0.9, 0.1, 0.1};
+    const std::uint32_t paint = add_material(scene, red);
+    add_composite(scene, Composite::Kind::subtract, Box{{-0.9, -0.7, -0.9}, {0.9, 0, 0.9}},
+                  Cylinder{{0, -0.7, 0}, {0, 0, 0}, 0.6}, paint, leaning);
+    add_object(scene, Cylinder{{0, -0.6, 0}, {0, 0.3, 0}, 0.6}, add_material(scene, clear(1.5)))
+        .transform = leaning;
+    add_table(scene, leaning);
+    expect_coincident(scene);
+    // Air between the glass and the wall.
+    expect_not_excused(
+        scene, [](Scene& ours) { std::get<Cylinder>(ours.objects[1].shape).radius -= 1e-3; });
+}
+
 /// A body whose top lies in the top of a body around it.
 Scene inlaid(const Material& outer, const Material& inner, bool inner_first) {
     Scene scene = stage();

@@ -347,6 +347,28 @@ TEST(Judge, EndsWhenItsRaysAreUsedUpAndSaysSo) {
     EXPECT_THAT(some.failures, Contains(HasSubstr("were not looked at: explaining ended after")));
 }
 
+TEST(Judge, LooksFirstWhereFacesToldApartDoNotHelp) {
+    const World world = tied();
+    World other = world;
+    other.shift_y = 1e-11;
+    Thresholds limits;
+    limits.explained_share = 1;
+    const std::uint64_t of_edges = judge_worlds(world, other, limits).rays;
+    const Image ours = tiny::Tracer(world).render();
+    ResolvedPicture resolved;
+    resolved.theirs = tiny::Tracer(other).render(true);
+    resolved.by_rules = resolved.without = tiny::probe_of(world);
+    Image theirs = resolved.theirs;
+    for (int y = 10; y < 20; ++y)
+        for (int x = 0; x < ours.width; ++x) theirs.pixel(x, y)[1] += 0.05;
+    SecondLook second;
+    second.resolved = [&]() -> const ResolvedPicture& { return resolved; };
+    const Judgement j =
+        judge_pictures(ours, theirs, tiny::probe_of(world), limits, second, of_edges + 100);
+    EXPECT_TRUE(j.pass) << summary(j);
+    EXPECT_EQ(j.count(PixelClass::coincident), static_cast<std::size_t>(10 * ours.width));
+}
+
 // ---- Seeded faults: each is a mistake a ray tracer may make.
 
 TEST(SeededFault, ALampOnePercentDimmerIsUnexplained) {

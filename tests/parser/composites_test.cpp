@@ -96,5 +96,37 @@ group {
     EXPECT_EQ(std::get<Sphere>(scene.objects[4].shape).radius, 4);
 }
 
+TEST(Composites, NestFiftyLevelsByHandAndByATemplateThatCallsItself) {
+    const std::string stage =
+        "camera { position [0, 0, 5] look_at [0, 0, 0] }\nlight point { position [4, 4, 4] }\n";
+    std::string by_hand = stage;
+    for (int level = 50; level > 0; --level)
+        by_hand += "difference { sphere { radius " + std::to_string(level) + " } ";
+    by_hand += "sphere { radius 0.5 }" + std::string(50, '}');
+    const std::string called = stage + R"(
+def onion(level) {
+  difference {
+    sphere { radius level }
+    if level > 1 { onion(level - 1) } else { sphere { radius 0.5 } }
+  }
+}
+onion(50)
+)";
+    for (const std::string& text : {by_hand, called}) {
+        const Scene scene = test::run(text).scene;
+        ASSERT_EQ(scene.composites.size(), 1U);
+        const Composite& made = scene.composites[0];
+        ASSERT_EQ(made.nodes.size(), 50U);
+        ASSERT_EQ(made.leaves.size(), 51U);
+        for (std::uint32_t i = 1; i < 50; ++i) {
+            EXPECT_EQ(made.nodes[i].kind, Kind::subtract);
+            EXPECT_EQ(made.nodes[i].place.parent, i - 1);
+            EXPECT_FALSE(made.nodes[i].place.first);
+            EXPECT_EQ(made.leaves[i].place.parent, i);
+            EXPECT_EQ(std::get<Sphere>(made.leaves[i].object.shape).radius, 50.0 - i);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lancer

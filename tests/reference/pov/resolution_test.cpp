@@ -147,7 +147,7 @@ TEST(Resolution, MovesTheTableWhereTheBodyCannotGrow) {
     const auto moves = [&](std::uint32_t i) { return told.scene.objects[i].transform != 0; };
     EXPECT_TRUE(moves(0));
     EXPECT_FALSE(moves(1));
-    EXPECT_TRUE(moves(2));
+    EXPECT_NEAR(std::get<Cylinder>(told.scene.objects[2].shape).radius, 0.701, 1e-9);
     EXPECT_NEAR(told.scene.transforms[told.scene.objects[0].transform].shift.y, 0.001, 1e-12);
 }
 
@@ -198,6 +198,51 @@ TEST(Resolution, OfAPileIsAPile) {
         add_object(scene, Box{{0.1 * i, 0, 0.1 * i}, {2 - 0.1 * i, 1, 2 - 0.1 * i}});
     const pov::ResolvedScene told = pov::resolved(scene, pov::face_pairs(scene), 0.001);
     EXPECT_TRUE(all_are_told(told));
+}
+
+TEST(Resolution, SinksAGlassRodIntoTheWallOfItsHole) {
+    Scene scene = empty_scene();
+    const std::uint32_t glass = add_material(scene, clear(1.5));
+    add_composite(scene, Composite::Kind::subtract, Box{{-1, 0, -1}, {1, 1, 1}},
+                  Cylinder{{0, 0, 0}, {0, 1, 0}, 0.5});
+    add_object(scene, Cylinder{{0, -1, 0}, {0, 2, 0}, 0.5}, glass);
+    EXPECT_THAT(resolutions(scene), testing::ElementsAre(Resolution::in_front, Resolution::sunk));
+    const pov::ResolvedScene told = pov::resolved(scene, pov::face_pairs(scene), 0.001);
+    EXPECT_TRUE(all_are_told(told));
+    const auto rod = [](const Object& object) { return std::get<Cylinder>(object.shape); };
+    const Cylinder hole = rod(told.scene.composites[0].leaves[1].object);
+    EXPECT_NEAR(hole.base.y, -0.001, 1e-9);
+    EXPECT_NEAR(hole.top.y, 1.001, 1e-9);
+    EXPECT_NEAR(hole.radius, 0.499, 1e-9) << "its wall is sunk into the glass";
+    EXPECT_EQ(rod(told.scene.objects[1]).radius, 0.5);
+    // It stands on the block then, and over the end of the hole, where nothing is.
+    scene.objects[1].shape = Cylinder{{0, 1, 0}, {0, 2, 0}, 0.5};
+    EXPECT_THAT(
+        resolutions(scene),
+        testing::UnorderedElementsAre(Resolution::in_front, Resolution::sunk, Resolution::hidden));
+    // An opaque rod in glass: the wall again.
+    std::swap(scene.composites[0].leaves[0].object.material, scene.objects[1].material);
+    scene.objects[1].shape = Cylinder{{0, -1, 0}, {0, 2, 0}, 0.5};
+    scene.composites[0].leaves[1].object.material = glass;
+    const pov::ResolvedScene turned = pov::resolved(scene, pov::face_pairs(scene), 0.001);
+    EXPECT_TRUE(all_are_told(turned));
+    EXPECT_NEAR(rod(turned.scene.composites[0].leaves[1].object).radius, 0.499, 1e-9);
+}
+
+TEST(Resolution, MovesEndsAndSidesOneByOneWhateverTheMap) {
+    Scene scene = empty_scene();
+    Affine<double> map;
+    map.rows = {Vec3d(0, -2, 0), Vec3d(2, 0, 0), Vec3d(0, 0, 2)};  // twice as large, turned about z
+    const std::uint32_t turned = add_transform(scene, map);
+    add_composite(scene, Composite::Kind::subtract, Box{{-1, -1, -1}, {1, 1, 1}},
+                  Cone{{0, 0, 0}, {1, 0, 0}, 0.2, 0.4}, 0, turned);
+    const pov::ResolvedScene told = pov::resolved(scene, pov::face_pairs(scene), 0.001);
+    EXPECT_TRUE(all_are_told(told));
+    const Cone cone = std::get<Cone>(told.scene.composites[0].leaves[1].object.shape);
+    EXPECT_EQ(cone.base.x, 0);
+    EXPECT_NEAR(cone.top.x, 1.0005, 1e-9);
+    EXPECT_NEAR(cone.top_radius, 0.4001, 1e-9) << "its side stays where it is";
+    EXPECT_EQ(cone.base_radius, 0.2);
 }
 
 TEST(Resolution, OfWhatCannotMoveIsNone) {

@@ -52,6 +52,25 @@ inline std::uint32_t add_texture(Scene& scene, const Texture& texture) {
     return add_material(scene, material);
 }
 
+/// One composite with two parts of the same material.
+inline Object& add_composite(Scene& scene, Composite::Kind kind, const Shape& first,
+                             const Shape& second, std::uint32_t material = 0,
+                             std::uint32_t transform = 0) {
+    Composite made;
+    made.nodes = {{kind, {}, 0, 2}};
+    for (const Shape& shape : {first, second}) {
+        Composite::Leaf leaf;
+        leaf.object.shape = shape;
+        leaf.object.material = material;
+        leaf.object.transform = leaf.texture_space = transform;
+        leaf.place = {0, made.leaves.empty()};
+        made.leaves.push_back(leaf);
+    }
+    scene.composites.push_back(made);
+    return add_object(scene, CompositeRef{static_cast<std::uint32_t>(scene.composites.size() - 1)},
+                      material);
+}
+
 /// A smooth picture of 7 x 5 pixels, exact in 8 bits; with alpha on demand.
 inline std::uint32_t add_image(Scene& scene, bool alpha = false) {
     auto image = std::make_shared<Image>(7, 5, alpha ? 4 : 3);
