@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/scene_loader.h"
 #include "cli/scene_size.h"
+#include "cli/scene_words.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
 
@@ -117,6 +118,9 @@ class Packer {
         judge::ValidationJob result;
         result.name = name;
         result.path = path;
+        result.place_text = [&sources = session_.sources](const SourceSpan& span) {
+            return describe_place(span, sources);
+        };
         result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job_.camera, session_)),
                        size.width, size.height};
         result.scene = std::move(scene);

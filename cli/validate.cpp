@@ -20,6 +20,7 @@
 #include "cli/progress.h"
 #include "cli/scene_loader.h"
 #include "cli/scene_size.h"
+#include "cli/scene_words.h"
 #include "cli/sweep_share.h"
 #include "judge/report/shell_text.h"
 #include "judge/validate/our_renderer.h"
@@ -76,9 +77,7 @@ ValidationJob load(const std::string& path, const ValidateJob& job, Session& ses
     result.path = path;
     result.scene_words = scene_words(path, job);
     result.place_text = [&sources = session.sources](const SourceSpan& span) {
-        if (span.file == SourceSpan::nowhere) return std::string();
-        const auto [line, column] = sources.locate(span);
-        return fmt::format("{}:{}:{}", sources.name(span.file), line, column);
+        return describe_place(span, sources);
     };
     const PictureSize size = size_or(job.size, *scene, 320);
     result.view = {static_cast<std::uint32_t>(pick_camera(*scene, job.camera, session)), size.width,

@@ -102,6 +102,18 @@ std::vector<reference::Coincidence> undecidable(const ValidationJob& job) {
     return found;
 }
 
+/// There is one.
+const DifferentPixel& worst_unexplained(const Judgement& judgement) {
+    return *std::max_element(judgement.different.begin(), judgement.different.end(),
+                             [](const DifferentPixel& a, const DifferentPixel& b) {
+                                 const auto size = [](const DifferentPixel& p) {
+                                     return p.pixel_class == PixelClass::unexplained ? p.difference
+                                                                                     : -1;
+                                 };
+                                 return size(a) < size(b);
+                             });
+}
+
 void tell_where(Validation& result, const ValidationJob& job, const ProbeFunction& probe) {
     const std::size_t unexplained = result.judgement.count(PixelClass::unexplained);
     if (unexplained == 0) return;
@@ -110,6 +122,12 @@ void tell_where(Validation& result, const ValidationJob& job, const ProbeFunctio
         result.reasons.push_back(fmt::format("about {} of them show {}", suspect.pixels,
                                              object_words(job, suspect.object)));
     }
+    const DifferentPixel& worst = worst_unexplained(result.judgement);
+    result.reasons.push_back(
+        fmt::format("the worst, {:.2g} off, is {},{}; what its ray does: lancer probe {} {},{} "
+                    "--size {}x{} --samples 1 --min-contribution 0",
+                    worst.difference, worst.x, worst.y, job.scene_words, worst.x, worst.y,
+                    job.view.width, job.view.height));
     result.reasons.emplace_back(
         "whether some of them are coincident surfaces, reference outliers or known differences of "
         "POV-Ray's is not decidable from a picture");

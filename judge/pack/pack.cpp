@@ -6,10 +6,10 @@
 
 #include "judge/pack/exact_picture.h"
 #include "judge/pack/packed_scene.h"
-#include "judge/pack/pfm.h"
 #include "judge/pack/readme_text.h"
 #include "judge/pack/scene_json.h"
 #include "judge/validate/our_renderer.h"
+#include "model/io/pfm_file.h"
 
 namespace lancer::judge {
 
@@ -21,7 +21,7 @@ constexpr const char* format_name = "lancer-pack 1";
 Json picture_json(PackSink& sink, const Image& image, const char* name, int begin, int count,
                   double error) {
     const std::string file = std::string(name) + ".pfm";
-    sink.files.push_back({file, pfm_bytes(image, begin, count)});
+    sink.files.push_back({file, io::encode_pfm(image, begin, count)});
     return {{"file", file}, {"error", error}, {"relative_error", 0x1p-24}};
 }
 
@@ -29,11 +29,13 @@ Json picture_json(PackSink& sink, const Image& image, const char* name, int begi
 
 Pack pack_scene(const ValidationJob& job, std::size_t probes) {
     Pack pack;
-    const Scene scene = as_packed(*job.scene, pack.warnings);
-    PackSink sink(scene);
+    Scene scene = as_packed(*job.scene, pack.warnings);
+    round_images(scene);
+    PackSink sink(scene, job.place_text);
     Json json;
     json["format"] = format_name;
     json["name"] = job.name;
+    json["source"] = job.path;
     json["width"] = job.view.width;
     json["height"] = job.view.height;
     json.update(scene_json(scene, job.view.camera, sink));

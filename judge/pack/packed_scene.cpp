@@ -1,5 +1,6 @@
 #include "judge/pack/packed_scene.h"
 
+#include <memory>
 #include <variant>
 
 #include "model/plain_color.h"
@@ -73,6 +74,14 @@ Scene as_packed(const Scene& scene, std::vector<Diagnostic>& warnings) {
     if (!packed.settings.smooth) leave_out_normals(packed);
     leave_out_tolerances(packed, warnings);
     return packed;
+}
+
+void round_images(Scene& scene) {
+    for (SceneImage& image : scene.images) {
+        auto rounded = std::make_shared<Image>(*image.pixels);
+        for (double& value : rounded->data) value = static_cast<float>(value);
+        image.pixels = std::move(rounded);
+    }
 }
 
 }  // namespace lancer::judge

@@ -13,4 +13,8 @@ namespace lancer::judge {
 /// true ones; each that asked for a tolerance is a warning.
 Scene as_packed(const Scene& scene, std::vector<Diagnostic>& warnings);
 
+/// Gives the scene's images the numbers that a pack's files hold, floats: so its probes are of
+/// what the reader has.
+void round_images(Scene& scene);
+
 }  // namespace lancer::judge

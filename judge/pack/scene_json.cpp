@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "judge/pack/pfm.h"
+#include "model/io/pfm_file.h"
 
 namespace lancer::judge {
 
@@ -114,11 +114,11 @@ struct PatternWriter {
 Json image_json(const SceneImage& image, std::size_t index, PackSink& sink) {
     const Image& pixels = *image.pixels;
     const std::string name = fmt::format("image-{}.pfm", index);
-    sink.files.push_back({name, pfm_bytes(pixels, 0, 3)});
+    sink.files.push_back({name, io::encode_pfm(pixels, 0, 3)});
     Json json{{"file", name}, {"alpha", nullptr}};
     if (pixels.channels >= 4) {
         const std::string alpha = fmt::format("image-{}-alpha.pfm", index);
-        sink.files.push_back({alpha, pfm_bytes(pixels, 3, 1)});
+        sink.files.push_back({alpha, io::encode_pfm(pixels, 3, 1)});
         json["alpha"] = alpha;
     }
     return json;
@@ -132,6 +132,8 @@ Json object_json(const Scene& scene, const Object& object, PackSink& sink) {
     json["transform"] = object.transform;
     json["casts_shadow"] = object.casts_shadow;
     if (object.name != none) json["name"] = scene.names[object.name];
+    const std::string place = sink.place_text ? sink.place_text(object.place) : std::string();
+    if (!place.empty()) json["place"] = place;
     return json;
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,15 @@ inline Json to_json(const Vec2d& v) {
     return {v.x, v.y};
 }
 
-/// Collects the files that a scene's data name, and knows its bodies.
+/// Collects the files that a scene's data name, and knows its bodies and where its objects stand
+/// in the script.
 struct PackSink {
-    explicit PackSink(const Scene& scene) : bodies(scene) {}
+    PackSink(const Scene& scene, std::function<std::string(const SourceSpan&)> places)
+        : bodies(scene), place_text(std::move(places)) {}
 
     std::vector<PackedFile> files;
     Bodies bodies;
+    std::function<std::string(const SourceSpan&)> place_text;  ///< may be empty
 };
 
 /// {"kind": "sphere", "center": [...], ...}: docs of each in the pack's README. Meshes become

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "judge/pack/scene_json.h"
+#include "model/mesh_pieces.h"
 
 namespace lancer::judge {
 
@@ -35,8 +36,11 @@ std::string numbers_line(const char* word, std::initializer_list<double> numbers
     return line + "\n";
 }
 
-/// A mesh as Wavefront OBJ, with as many digits as its numbers have.
-std::string obj_text(const Mesh& mesh, bool smooth) {
+/// A mesh as Wavefront OBJ, with as many digits as its numbers have. Where it has no normals and
+/// asks for some, they are the averages that a renderer would make.
+std::string obj_text(const Mesh& given, bool smooth) {
+    const bool averaged = smooth && given.normals.empty();
+    const Mesh& mesh = averaged ? with_averaged_normals(given) : given;
     std::string text;
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const Vec3d& v = mesh.vertices[i];

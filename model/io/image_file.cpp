@@ -10,6 +10,7 @@
 #include "model/io/picture_format.h"
 #include "model/io/picture_input.h"
 #include "model/io/png_file.h"
+#include "model/io/pfm_file.h"
 #include "model/io/ppm_file.h"
 
 namespace lancer::io {
@@ -36,6 +37,7 @@ std::string format_of_bytes(std::string_view bytes) {
     using namespace std::string_view_literals;
     if (is_png(bytes)) return "png";
     if (is_ppm(bytes)) return "ppm";
+    if (is_pfm(bytes)) return "pfm";
     if (bytes.starts_with("\x76\x2F\x31\x01"sv)) return "openexr";
     if (bytes.starts_with("#?RADIANCE"sv) || bytes.starts_with("#?RGBE"sv)) return "hdr";
     if (bytes.starts_with("\xFF\xD8\xFF"sv)) return "jpeg";
@@ -78,9 +80,10 @@ Image read_image(const std::string& path, ColorSpace space) {
     const std::string format = format_of_bytes(input.start());
     if (format == "png") return decode_png(input.bytes(), path, space);
     if (format == "ppm") return decode_ppm(input.bytes(), path, space);
+    if (format == "pfm") return decode_pfm(input.bytes(), path);
     if (format.empty()) {
         throw FileError(fmt::format(
-            "cannot read '{}': it is not a PNG, EXR, HDR, TIFF, JPEG or PPM picture", path));
+            "cannot read '{}': it is not a PNG, EXR, HDR, TIFF, JPEG, PPM or PFM picture", path));
     }
     return read_apart(path, format, input.descriptor(), space);
 }

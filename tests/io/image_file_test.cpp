@@ -10,6 +10,8 @@
 #include <limits>
 #include <random>
 
+#include "model/io/file.h"
+#include "model/io/pfm_file.h"
 #include "model/io/picture_input.h"
 #include "model/io/picture_process.h"
 #include "model/io/ppm_file.h"
@@ -150,6 +152,37 @@ TEST(Ppm, RefusesWhatIsWrong) {
           "P6 1 1 70000\nabcdef", "P6 60000 60000 255\nabc", "P3 1 1 255 1 2", "P3 1 1 9 1 2 10",
           "P3 1 1 9 1 x 2", "P5 -1 1 255\na", "P5 1 1 100\n\xFF", "P5 99999999999999999999 1 9"}) {
         EXPECT_THROW(decode_ppm(text, "t", ColorSpace::automatic), FileError) << text;
+    }
+}
+
+TEST(Pfm, ReadsWhatOthersWrite) {
+    const auto values = [](std::string_view bytes) { return decode_pfm(bytes, "t").data; };
+    // The bottom row first; 1.0f is 3F 80 00 00.
+    EXPECT_THAT(values(std::string("Pf\n1 2\n1.0\n\x3F\x80\0\0\x40\0\0\0", 19)), ElementsAre(2, 1));
+    EXPECT_THAT(values(std::string("Pf 1 1 -1\n\0\0\x80\x3F", 14)), ElementsAre(1));
+    EXPECT_THAT(values(std::string("Pf\r\n1 1\r\n-1.000\r\n\0\0\x80\x3F", 21)), ElementsAre(1));
+}
+
+TEST(Pfm, ReadsWhatItWrites) {
+    Image image(2, 3, 4);
+    for (std::size_t i = 0; i < image.data.size(); ++i)
+        image.data[i] = 0.25 * static_cast<double>(i) - 3;
+    const ScratchFolder folder;
+    write_file(folder / "a.pfm", encode_pfm(image, 1, 3));
+    const Image read = read_image(folder / "a.pfm");
+    ASSERT_EQ(read.channels, 3);
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 2; ++x)
+            for (int c = 0; c < 3; ++c) EXPECT_EQ(read.pixel(x, y)[c], image.pixel(x, y)[c + 1]);
+}
+
+TEST(Pfm, RefusesWhatIsWrong) {
+    for (const char* text :
+         {"PF ", "PF 1", "PF 1 1", "PF 1 1 -1", "PF 1 1 -1\nabcdefghijk", "PF 0 1 -1\nabcdefghijkl",
+          "PF 1 -1 -1\nabcdefghijkl", "PF 1 1 0\nabcdefghijkl", "PF 1 1 2.5\nabcdefghijkl",
+          "PF 1 1 nan\nabcdefghijkl", "PF 60000 60000 -1\nabc",
+          "Pf 99999999999999999999 1 -1\nabcd"}) {
+        EXPECT_THROW(decode_pfm(text, "t"), FileError) << text;
     }
 }
 

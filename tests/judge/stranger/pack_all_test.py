@@ -37,6 +37,11 @@ def check(folder, readme):
     assert not unknown, f"{folder.name}: {unknown} are not defined in the pack's README"
     for file in re.findall(r'"file": "([^"]+)"', json.dumps(scene)):
         assert (folder / file).stat().st_size > 0, file
+    for thing in scene["objects"]:
+        assert re.fullmatch(r".*:[0-9]+:[0-9]+", thing["place"]), thing
+        if thing["kind"] == "mesh":
+            has_normals = "\nvn " in (folder / thing["file"]).read_text()
+            assert has_normals == thing["smooth"], f"{folder.name}/{thing['file']}: what is smooth needs normals"
     picture, channels = read_pfm(folder / "color.pfm")
     bound = scene["pictures"]["color"]
     assert channels == 3 and len(picture) == scene["height"] and len(picture[0]) == 3 * scene["width"]
@@ -63,6 +68,8 @@ def main(lancer):
         assert len(packed) == len(scenes()) > 100 and f"{len(packed)} scenes, " in said, said[-500:]
         assert "this surface has a tolerance; the pack holds the true surface" in said
         readme = (folder / "pack/README.md").read_text()
+        compared = subprocess.run([lancer, "compare", "--fail", "0", *2 * ["pack/ten_lines/color.pfm"]], cwd=folder, capture_output=True)
+        assert compared.returncode == 0, compared.stderr
         probes = sum(check(folder / "pack" / scene, readme) for scene in packed)
         assert probes > 20 * len(packed), probes
 
