@@ -186,8 +186,7 @@ class RendererOf final : public RayTreeRenderer {
     void with_tracer(const TraceLimits& limits, Work&& work) const {
         if constexpr (std::is_same_v<Real, double>) {
             if (povray_unit_) {
-                PovRayTracer<Real> tracer(*world_, *povray_unit_, by_povray_);
-                work(tracer);
+                with_second_tracer(*world_, *povray_unit_, by_povray_, work);
                 return;
             }
         }

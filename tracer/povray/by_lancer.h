@@ -1,0 +1,122 @@
+// Lancer's own rules, as recursion.h asks for them: what our picture would be if each contact were
+// one surface.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "tracer/intersect/media.h"
+#include "tracer/rays/trace_limits.h"
+#include "tracer/recursion/opaque.h"
+#include "tracer/shading/lighting.h"
+
+namespace lancer {
+
+/// What is carried with a ray, and what follows from it.
+template <class Real>
+class ByLancer {
+  public:
+    using Step = Crossed<Real, ByLancer>;
+
+    /// \param bodies  around the camera
+    /// \param unit    POV-Ray's unit of length in the world's
+    ByLancer(const MediaList& bodies, Real unit)
+        : bending_(bodies), absorbing_(bodies), unit_(unit) {}
+
+    // --- Which surfaces a ray sees: all but the one that it leaves
+
+    Real nearest_hit(const Ray<Real>& ray) const { return off_the_surface(ray); }
+    Real nearest_shadow(const Ray<Real>& ray) const { return off_the_surface(ray); }
+    Real farthest_hit() const { return std::numeric_limits<Real>::infinity(); }
+
+    // --- Which rays are followed
+
+    static bool is_level_asked(int level, int levels, bool /*straight*/) { return level < levels; }
+    static bool passes_on(const Surface<Real>& s, const Vec3<Real>& /*transmittance*/,
+                          const TraceLimits& /*limits*/) {
+        return max_component(s.transmittance) > 0;
+    }
+    static bool is_straight(Real ratio) { return ratio == 1; }
+    /// How much of a ray's weight goes on. The ray that is totally reflected takes the place of the
+    /// transmitted one and of the mirrored one.
+    static const Vec3<Real>& weight_behind(const Surface<Real>& s, const Vec3<Real>& transmittance,
+                                           bool total) {
+        return total ? s.transmittance : transmittance;
+    }
+
+    // --- What the ray is in
+
+    /// Takes the surface into the lists or from them. Returns the ratio of the indices before and
+    /// after.
+    Real cross(const World<Real>& world, const Surface<Real>& s) {
+        const Real before = index(world);
+        if (s.primitive->medium) {
+            toggle(bending_, s.id.primitive);
+            toggle(absorbing_, s.id.primitive);
+        }
+        return before / index(world);
+    }
+
+    /// What is around the shadow rays on the far side of a surface.
+    static const ByLancer& beyond(const ByLancer& /*before*/, const ByLancer& after) {
+        return after;
+    }
+
+    /// What is around a ray that leaves a surface, refracted or mirrored: what absorbs it follows
+    /// from the side that it leaves to.
+    static ByLancer leaving(const Step& c, const ByLancer& after, const Surface<Real>& s,
+                            const Vec3<Real>& direction, bool refracted) {
+        ByLancer next = c.towards(s, direction);
+        next.bending_ = refracted ? after.bending_ : c.before.bending_;
+        return next;
+    }
+
+    // --- What dims
+
+    /// What is left of light after a way through the body that was entered last.
+    Vec3<Real> left_after(const World<Real>& world, Real way) const {
+        const Finish<Real>* medium = medium_of(world, absorbing_);
+        return medium != nullptr && medium->absorbs
+                   ? beer_lambert_transmittance(medium->absorption, way)
+                   : Vec3<Real>(1);
+    }
+    /// The way has dimmed the surface that it ends at and all behind it.
+    Vec3<Real> left_behind(const Surface<Real>& /*s*/, Real /*way*/) const { return Vec3<Real>(1); }
+
+    /// What casts no shadow does not absorb a shadow ray.
+    void begin_shadow(const World<Real>& world) {
+        const auto casts_none = [&](std::uint32_t body) {
+            return !world.primitives[body].casts_shadow;
+        };
+        absorbing_.erase(std::remove_if(absorbing_.begin(), absorbing_.end(), casts_none),
+                         absorbing_.end());
+    }
+    void pass_in_shadow(const Surface<Real>& s) {
+        if (s.primitive->medium) toggle(absorbing_, s.id.primitive);
+    }
+
+    // --- Fresnel's term
+
+    Real fresnel(const World<Real>& world, const Surface<Real>& s, const Ray<Real>& ray,
+                 Real ratio) const {
+        if (s.primitive->medium || max_component(s.transmittance) > 0)
+            return fresnel_reflectance(-dot(s.normal, ray.dir), 1 / ratio);
+        return opaque_reflectance(s, ray.dir, index(world));
+    }
+
+  private:
+    Real off_the_surface(const Ray<Real>& ray) const {
+        return Real(1e-8L) * unit_ + 1000 * ray.origin_error;
+    }
+    /// The refractive index of the body that was entered last.
+    Real index(const World<Real>& world) const {
+        const Finish<Real>* medium = medium_of(world, bending_);
+        return medium == nullptr ? Real(1) : medium->ior;
+    }
+
+    MediaList bending_;    ///< bodies that the ray was seen to enter and not yet to leave
+    MediaList absorbing_;  ///< bodies that it is in by the sides of surfaces
+    Real unit_;
+};
+
+}  // namespace lancer
