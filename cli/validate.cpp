@@ -1,27 +1,15 @@
 // lancer validate
-#include "judge/validate/validate.h"
-
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <thread>
 
-#include "base/parallel.h"
-#include "cli/against_options.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/progress.h"
-#include "cli/scene_loader.h"
-#include "cli/scene_size.h"
 #include "cli/scene_words.h"
-#include "cli/sweep_share.h"
+#include "cli/validations.h"
 #include "judge/report/shell_text.h"
 #include "judge/validate/our_renderer.h"
 #include "judge/validate/validation_text.h"
@@ -29,35 +17,7 @@
 namespace lancer::cli {
 namespace {
 
-using judge::Validation;
 using judge::ValidationJob;
-
-struct ValidateJob {
-    std::vector<std::string> scenes;
-    std::string report;
-    std::string json;
-    std::string junit;
-    std::string camera;
-    std::optional<PartOf> part;  ///< of the scenes
-    std::optional<PictureSize> size;
-    std::optional<std::int64_t> jobs;
-    std::optional<double> time_limit;
-    bool no_cache = false;
-    bool quiet = false;
-    AgainstOptions against;
-    SceneOptions scene_options;
-};
-
-/// Judges a scene; what goes wrong is a verdict. Called from several threads.
-using Judge = std::function<Validation(const ValidationJob& job)>;
-
-/// Who is on the other side.
-struct OtherSide {
-    std::string name;            ///< heads the column of its times
-    std::string povray_version;  ///< empty: it is not POV-Ray
-    judge::Report report;        ///< without entries
-    Judge judge;
-};
 
 /// The scene and what chooses its picture, as one would type it.
 std::string scene_words(const std::string& path, const ValidateJob& job) {
@@ -99,111 +59,6 @@ void tell_apart(std::vector<ValidationJob>& jobs) {
         if (!folder.empty()) job.name = folder + "-" + job.name;
     }
 }
-
-/// Validates all jobs, as many at once as `workers` says; prints each line in the order of the jobs
-/// as soon as it is known, and collects the report's entries.
-class Validations {
-  public:
-    Validations(const ValidateJob& options, std::vector<ValidationJob> jobs, OtherSide other,
-                Session& session)
-        : options_(options),
-          session_(session),
-          jobs_(std::move(jobs)),
-          other_(std::move(other)),
-          bar_(session.terminal, options.quiet, 1) {
-        shares_.resize(jobs_.size());
-        for (std::size_t i = 0; i < jobs_.size(); ++i)
-            jobs_[i].progress = [this, i](double share, const char* what) {
-                show_progress(i, share, what);
-            };
-        for (const ValidationJob& job : jobs_) name_width_ = std::max(name_width_, job.name.size());
-    }
-
-    void run() {
-        results_.resize(jobs_.size());
-        done_.resize(jobs_.size());
-        other_.report.entries.resize(jobs_.size());
-        if (!options_.quiet) session_.output.say(judge::table_head(name_width_, other_.name));
-        // POV-Ray sleeps while it starts, so that twice as many as there are cores keep them busy.
-        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-        const auto workers = static_cast<int>(options_.jobs.value_or(2 * cores));
-        for_each_task(static_cast<int>(jobs_.size()), workers, {}, [this](const NextTask& next) {
-            for (int task = 0; next(task);) validate(static_cast<std::size_t>(task));
-        });
-    }
-
-    ExitCode finish() {
-        bar_.clear();
-        session_.write(options_.json, judge::validations_to_json(results_, other_.povray_version));
-        session_.write(options_.junit,
-                       judge::junit_xml("lancer validate", judge::junit_cases(results_)));
-        if (!options_.report.empty()) {
-            for (const judge::ReportEntry& entry : other_.report.entries)
-                for (const judge::ReportFile& file : entry.files)
-                    session_.files.add_output_in_new_folder(options_.report + "/" + file.name,
-                                                            "--report");
-            judge::write_report(other_.report, options_.report);
-            if (!options_.quiet)
-                session_.output.say(fmt::format("wrote {}/index.html\n", options_.report));
-        }
-        ExitCode worst = ExitCode::done;
-        for (const Validation& v : results_) {
-            if (v.verdict == judge::Verdict::differs) worst = std::max(worst, ExitCode::differs);
-            if (v.verdict == judge::Verdict::failed) worst = std::max(worst, exit_code_of(v));
-        }
-        return worst;
-    }
-
-  private:
-    void show_progress(std::size_t job, double share, const char* what) {
-        const std::lock_guard lock(mutex_);
-        shares_[job] = share;
-        double sum = 0;
-        for (const double s : shares_) sum += s;
-        bar_.set_label(jobs_.size() == 1 ? std::string(what)
-                                         : fmt::format("{}: {}", jobs_[job].name, what));
-        bar_.update(sum / static_cast<double>(shares_.size()));
-    }
-
-    /// A refusal that nobody expected is the scene's, all else POV-Ray's.
-    static ExitCode exit_code_of(const Validation& v) {
-        return v.refusals.empty() ? ExitCode::files : ExitCode::differs;
-    }
-
-    void validate(std::size_t i) {
-        Validation result = other_.judge(jobs_[i]);
-        if (!options_.report.empty()) other_.report.entries[i] = judge::report_entry(result);
-        result.ours = {};
-        result.theirs = {};
-        result.pov_text = {};
-        result.pov_assets = {};
-        const std::lock_guard lock(mutex_);
-        results_[i] = std::move(result);
-        done_[i] = true;
-        shares_[i] = 1;
-        show_lines();
-    }
-
-    void show_lines() {
-        for (; shown_ < jobs_.size() && done_[shown_]; ++shown_) {
-            bar_.clear();
-            if (!options_.quiet)
-                session_.output.say(judge::table_row(results_[shown_], name_width_));
-        }
-    }
-
-    const ValidateJob& options_;
-    Session& session_;
-    std::vector<ValidationJob> jobs_;
-    OtherSide other_;
-    std::size_t name_width_ = 5;
-    std::mutex mutex_;
-    std::vector<Validation> results_;
-    std::vector<bool> done_;
-    std::size_t shown_ = 0;
-    std::vector<double> shares_;  ///< of each job that is done
-    ProgressBar bar_;
-};
 
 /// The option that asks for a report; empty: none does.
 std::string report_option(const ValidateJob& job) {
