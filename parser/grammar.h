@@ -4,9 +4,12 @@
 // A rule whose name ends in _needed stands behind must<> only: there, something else is an error.
 #pragma once
 
+#include <algorithm>
+#include <string_view>
 #include <tao/pegtl.hpp>
 
 #include "parser/grammar_rules.h"
+#include "parser/scan.h"
 
 namespace lancer::grammar {
 
@@ -37,7 +40,14 @@ struct print_word   : word<TAO_PEGTL_STRING("print")> {};
 struct true_word    : word<TAO_PEGTL_STRING("true")> {};
 struct false_word   : word<TAO_PEGTL_STRING("false")> {};
 
-struct reserved : p::seq<p::at<p::one<'i', 'l', 'p', 'd', 'f', 'e', 'a', 't'>>,
+// Most words begin with another letter than a reserved one.
+template <char... Letters> struct letter : p::one<Letters...> {
+    static constexpr bool begins(std::string_view word) { return ((word[0] == Letters) || ...); }
+};
+struct reserved_letter : letter<'i', 'l', 'p', 'd', 'f', 'e', 'a', 't'> {};
+static_assert(std::all_of(scan::reserved_words.begin(), scan::reserved_words.end(), reserved_letter::begins));
+
+struct reserved : p::seq<p::at<reserved_letter>,
                          p::sor<include_word, in_word, if_word, let_word, param_word, print_word,
                                 def_word, for_word, func_word, false_word, else_word, assert_word, true_word>> {};
 struct name     : p::seq<p::not_at<reserved>, p::identifier> {};

@@ -1,7 +1,6 @@
 #include "parser/scan.h"
 
 #include <algorithm>
-#include <array>
 
 namespace lancer::scan {
 
@@ -10,17 +9,14 @@ std::size_t line_end(std::string_view text, std::size_t at) {
 }
 
 bool is_reserved(std::string_view word) {
-    static constexpr std::array<std::string_view, 13> words{
-        "include", "let",  "param",  "def",   "func", "for",  "in",
-        "if",      "else", "assert", "print", "true", "false"};
     // Most words begin with another letter than any of these.
     static constexpr std::uint32_t beginnings = [] {
         std::uint32_t bits = 0;
-        for (const std::string_view reserved : words) bits |= 1U << (reserved[0] - 'a');
+        for (const std::string_view reserved : reserved_words) bits |= 1U << (reserved[0] - 'a');
         return bits;
     }();
     if (word[0] < 'a' || word[0] > 'z' || (beginnings >> (word[0] - 'a') & 1) == 0) return false;
-    for (const std::string_view reserved : words)
+    for (const std::string_view reserved : reserved_words)
         if (word[0] == reserved[0] && word == reserved) return true;
     return false;
 }

@@ -1,6 +1,7 @@
 // Looking at script text without the grammar: for lookahead, messages and recovery.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -25,7 +26,10 @@ constexpr bool is_line_end(char c) {
 /// Where the line that holds `at` ends: its LF, CRLF or CR, or the end of the text.
 std::size_t line_end(std::string_view text, std::size_t at);
 
-/// A word that cannot be a name.
+/// The words that cannot be names.
+inline constexpr std::array<std::string_view, 13> reserved_words{
+    "include", "let",  "param",  "def",   "func", "for",  "in",
+    "if",      "else", "assert", "print", "true", "false"};
 bool is_reserved(std::string_view word);
 /// A reserved word that begins a statement.
 bool begins_statement(std::string_view word);
