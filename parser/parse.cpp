@@ -5,7 +5,7 @@
 #include "model/io/file.h"
 #include "model/io/texture_file.h"
 #include "parser/advice.h"
-#include "parser/evaluator.h"
+#include "parser/evaluation/evaluator.h"
 #include "parser/program.h"
 #include "parser/syntax.h"
 #include "parser/vertex_colors.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/shapes.h"
-#include "parser/block_reader.h"
+#include "parser/evaluation/block_reader.h"
 #include "parser/field.h"
 
 namespace lancer::blocks {
@@ -44,7 +44,7 @@ void make_patch(BlockReader& block, std::uint32_t& result);
 void make_lathe(BlockReader& block, std::uint32_t& result);
 void make_prism(BlockReader& block, std::uint32_t& result);
 
-// blocks.cpp; the evaluator runs their statements itself
+// blocks.cpp; their statements are run as those of the file (evaluation/statements.h)
 extern const BlockInfo unite, intersect, subtract, group;
 
 // material.cpp

@@ -7,17 +7,18 @@
 #include "model/io/obj_materials.h"
 #include "model/io/text_scanner.h"
 #include "model/mesh_pieces.h"
+#include "parser/evaluation/files.h"
 
 namespace lancer {
 namespace {
 
 /// Read once, however many frames show the mesh.
-const io::ObjMaterials& materials_of(Evaluator& evaluator, const MeshWithMaterials& whole) {
-    auto& known = evaluator.program().mesh_materials;
+const io::ObjMaterials& materials_of(const BlockContext& context, const MeshWithMaterials& whole) {
+    auto& known = context.program.mesh_materials;
     const auto at = known.find(whole.loaded.get());
     if (at != known.end()) return at->second;
     const auto read = [&](const std::string& path) {
-        return evaluator.loader().text(path, evaluator.meter().limits().source_bytes);
+        return context.files.loader().text(path, context.meter.limits().source_bytes);
     };
     return known.emplace(whole.loaded.get(), io::find_materials(*whole.loaded, whole.path, read))
         .first->second;
@@ -25,12 +26,13 @@ const io::ObjMaterials& materials_of(Evaluator& evaluator, const MeshWithMateria
 
 /// The image of a material, as a texture of the scene; `none` without one, and where it cannot be
 /// read, which is a warning.
-std::uint32_t texture_of(Evaluator& evaluator, const io::MtlMaterial& material, bool has_uvs,
+std::uint32_t texture_of(const BlockContext& context, const io::MtlMaterial& material, bool has_uvs,
                          const SourceSpan& place) {
     if (material.image.empty() || !has_uvs) return none;
-    const auto pixels = evaluator.find_image(material.image, io::ColorSpace::automatic, place);
+    const auto pixels =
+        context.files.image_of_mesh(material.image, io::ColorSpace::automatic, place);
     if (pixels == nullptr) return none;
-    SceneBuilder& builder = evaluator.builder();
+    SceneBuilder& builder = context.builder;
     const auto [at, is_new] = builder.image_indices.try_emplace(
         {material.image, true}, static_cast<std::uint32_t>(builder.scene.images.size()));
     if (is_new) builder.scene.images.push_back({material.image, true, pixels});
@@ -40,12 +42,12 @@ std::uint32_t texture_of(Evaluator& evaluator, const io::MtlMaterial& material, 
     return builder.add(texture, place);
 }
 
-std::uint32_t add_material(Evaluator& evaluator, const io::MtlMaterial& from, const Mesh& shown_by,
-                           const SourceSpan& place) {
-    const std::uint32_t texture = texture_of(evaluator, from, !shown_by.uvs.empty(), place);
+std::uint32_t add_material(const BlockContext& context, const io::MtlMaterial& from,
+                           const Mesh& shown_by, const SourceSpan& place) {
+    const std::uint32_t texture = texture_of(context, from, !shown_by.uvs.empty(), place);
     Material made = material_of(from, texture != none);
     made.texture = texture;
-    return evaluator.builder().add(made, io::quotable(from.name), place);
+    return context.builder.add(made, io::quotable(from.name), place);
 }
 
 /// The faces of each material as a mesh of its own, with the normals that they have in the whole.
@@ -64,11 +66,11 @@ const std::vector<std::shared_ptr<const Mesh>>& pieces_of(
     return pieces;
 }
 
-std::vector<Part> make_parts(Evaluator& evaluator, const MeshWithMaterials& whole) {
-    SceneBuilder& builder = evaluator.builder();
-    const io::ObjMaterials& found = materials_of(evaluator, whole);
+std::vector<Part> make_parts(const BlockContext& context, const MeshWithMaterials& whole) {
+    SceneBuilder& builder = context.builder;
+    const io::ObjMaterials& found = materials_of(context, whole);
     for (const std::string& text : found.warnings)
-        evaluator.report().warning(Message::mesh_file, whole.place, text);
+        context.report.warning(Message::mesh_file, whole.place, text);
     // Materials without content look the same: faces that have one are one piece.
     std::vector<std::uint32_t> number_of;
     std::vector<const io::MtlMaterial*> contents;
@@ -84,7 +86,7 @@ std::vector<Part> make_parts(Evaluator& evaluator, const MeshWithMaterials& whol
     }
     std::vector<std::shared_ptr<const Mesh>> meshes{whole.mesh};
     if (contents.size() > 1) {
-        meshes = pieces_of(evaluator.program(), whole, number_of,
+        meshes = pieces_of(context.program, whole, number_of,
                            static_cast<std::uint32_t>(contents.size()));
         for (const auto& piece : meshes) builder.pieces.insert(piece.get());
     }
@@ -92,7 +94,7 @@ std::vector<Part> make_parts(Evaluator& evaluator, const MeshWithMaterials& whol
     for (std::size_t i = 0; i < contents.size(); ++i) {
         parts.push_back({MeshRef{mesh_index(builder, meshes[i]), whole.smooth, whole.inside}, 0});
         if (contents[i] != nullptr)
-            parts.back().material = add_material(evaluator, *contents[i], *meshes[i], whole.place);
+            parts.back().material = add_material(context, *contents[i], *meshes[i], whole.place);
     }
     return parts;
 }
@@ -151,19 +153,19 @@ std::uint32_t mesh_index(SceneBuilder& builder, const std::shared_ptr<const Mesh
     return at->second;
 }
 
-MakeParts parts_of(Evaluator& evaluator, const MeshWithMaterials& whole) {
+MakeParts parts_of(const BlockContext& context, const MeshWithMaterials& whole) {
     // Warnings name the calls that led here, not those at the end of the group.
-    return [&evaluator, whole, calls = evaluator.report().calls](bool has_material) {
-        SceneBuilder& builder = evaluator.builder();
+    return [&context, whole, calls = context.report.calls](bool has_material) {
+        SceneBuilder& builder = context.builder;
         if (has_material)
             return std::vector<Part>{
                 {MeshRef{mesh_index(builder, whole.mesh), whole.smooth, whole.inside}}};
         const auto [at, is_new] =
             builder.mesh_parts.try_emplace({whole.mesh.get(), whole.smooth, whole.inside});
         if (is_new) {
-            const std::vector<CallSite> here = std::exchange(evaluator.report().calls, calls);
-            at->second = make_parts(evaluator, whole);
-            evaluator.report().calls = here;
+            const std::vector<CallSite> here = std::exchange(context.report.calls, calls);
+            at->second = make_parts(context, whole);
+            context.report.calls = here;
         }
         return at->second;
     };

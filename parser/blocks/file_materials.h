@@ -6,7 +6,9 @@
 
 #include "model/io/mesh_file.h"
 #include "model/io/mtl_reader.h"
-#include "parser/evaluator.h"
+#include "model/scene.h"
+#include "parser/evaluation/block_context.h"
+#include "parser/scene_builder.h"
 
 namespace lancer {
 
@@ -22,9 +24,9 @@ struct MeshWithMaterials {
 
 /// What the mesh becomes. Where the scene has a material for it, that is the mesh, and the file's
 /// materials are not looked at. Elsewhere the libraries and images are read, which may warn at
-/// `place`, and each material is given the faces that have it. Uses the evaluator when it is
+/// `place`, and each material is given the faces that have it. Uses the context when it is
 /// called.
-MakeParts parts_of(Evaluator& evaluator, const MeshWithMaterials& whole);
+MakeParts parts_of(const BlockContext& context, const MeshWithMaterials& whole);
 
 /// A material of MTL in the terms of this language; `textured`: an image stands for its colour.
 Material material_of(const io::MtlMaterial& from, bool textured);

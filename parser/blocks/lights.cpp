@@ -57,8 +57,7 @@ std::optional<Fade> fade_of(const LightSpec& spec) {
 
 void add(BlockReader& block, const LightSpec& spec, const LightKind& kind) {
     // What fades may well be bright where it stands.
-    if (!spec.fade_distance)
-        warn_bright_light(block.evaluator().report(), block.place("color"), spec.color);
+    if (!spec.fade_distance) warn_bright_light(block.report(), block.place("color"), spec.color);
     block.builder().add(Light{kind, spec.color, spec.shadows, block.place()});
 }
 

@@ -78,7 +78,7 @@ void make_material(BlockReader& block, std::uint32_t& result) {
                     to_text(spec.filter + spec.transmission));
     if (!block.good()) return;
     if (max_component(spec.emission) == 0)
-        warn_bright_surface(block.evaluator().report(), block.place("color"), spec.surface.color);
+        warn_bright_surface(block.report(), block.place("color"), spec.surface.color);
     Material made = spec;
     made.color = spec.surface.color;
     made.texture = spec.surface.texture;

@@ -145,7 +145,7 @@ std::shared_ptr<const Mesh> smoothed(BlockReader& block,
     constexpr double of_formats_without_normals = 40;
     if (!block.has("smooth") && lacks_normals(path)) angle = of_formats_without_normals;
     if (!angle || !loaded->mesh.normals.empty()) return {loaded, &loaded->mesh};
-    auto& made = block.evaluator().program().meshes[path + '\n' + to_text(*angle)].content;
+    auto& made = block.context().program.meshes[path + '\n' + to_text(*angle)].content;
     if (made == nullptr) {
         auto fresh = std::make_shared<io::LoadedMesh>();
         fresh->mesh = with_sharp_edges(loaded->mesh, *angle);
@@ -177,7 +177,7 @@ void make_mesh(BlockReader& block, std::uint32_t&) {
         return;
     }
     const std::string path = block.resolve_path(spec.file);
-    const auto loaded = block.evaluator().load_mesh(path, block.place("file"));
+    const auto loaded = block.context().files.mesh(path, block.place("file"));
     if (loaded == nullptr) return;
     for (const std::string& text : loaded->warnings)
         block.warning(Message::mesh_file, block.place("file"), text);
@@ -190,7 +190,7 @@ void make_mesh(BlockReader& block, std::uint32_t&) {
     }
     const MeshWithMaterials whole{loaded,         path,        shown,
                                   spec.smooth.on, spec.inside, block.place("file")};
-    block.builder().add(parts_of(block.evaluator(), whole), attributes, block.place());
+    block.builder().add(parts_of(block.context(), whole), attributes, block.place());
 }
 
 }  // namespace blocks

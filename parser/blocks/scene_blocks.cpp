@@ -4,6 +4,7 @@
 #include "model/quality.h"
 #include "model/scene.h"
 #include "parser/blocks/blocks.h"
+#include "parser/evaluation/singles.h"
 #include "parser/rules.h"
 
 namespace lancer {
@@ -112,8 +113,8 @@ void warn_of_radians(BlockReader& block, double fov, double distance) {
     constexpr double most = 2.1;
     constexpr double far = 100;
     if (fov < least || fov > most || distance > far) return;
-    Diagnostic* warning = block.evaluator().report().warning(Message::fov_of_radians,
-                                                             block.place("fov"), to_text(fov));
+    Diagnostic* warning =
+        block.report().warning(Message::fov_of_radians, block.place("fov"), to_text(fov));
     if (warning != nullptr)
         warning->hint = fmt::format("{} radians would be fov {:.0f}", to_text(fov),
                                     fov * 180 / 3.141592653589793);
@@ -129,8 +130,7 @@ const BlockInfo camera{
     "camera", "", camera_fields, {}, "a point of view; the first is the default"};
 
 void make_image(BlockReader& block, std::uint32_t&) {
-    Evaluator& evaluator = block.evaluator();
-    if (evaluator.is_repeated("image", evaluator.image_place, block.place())) return;
+    if (block.context().singles.is_second_image(block.place())) return;
     ImageSize size;
     if (!block.read(&size)) return;
     block.builder().scene.width = size.width;
@@ -138,8 +138,7 @@ void make_image(BlockReader& block, std::uint32_t&) {
 }
 
 void make_render(BlockReader& block, std::uint32_t&) {
-    Evaluator& evaluator = block.evaluator();
-    if (evaluator.is_repeated("render", evaluator.render_place, block.place())) return;
+    if (block.context().singles.is_second_render(block.place())) return;
     Settings& settings = block.builder().scene.settings;
     QualityChoice choice;
     if (!block.read(&settings, &choice) || !block.has("quality")) return;
@@ -162,7 +161,7 @@ void make_camera(BlockReader& block, std::uint32_t&) {
         block.error(Message::height_of_perspective, block.place("height"));
     if (orthographic && !block.has("height") && block.good())
         block.error(Message::height_missing, block.place());
-    if (!block.evaluator().is_new_camera(std::string(block.name()), block.name_place()) ||
+    if (!block.context().singles.is_new_camera(std::string(block.name()), block.name_place()) ||
         !block.good())
         return;
     const Extended view = convert<long double>(spec.look_at) - convert<long double>(spec.position);

@@ -1,6 +1,7 @@
 #include "model/scene.h"
 #include "parser/blocks/blocks.h"
 #include "parser/blocks/stops.h"
+#include "parser/evaluation/singles.h"
 
 namespace lancer::blocks {
 namespace {
@@ -16,9 +17,7 @@ constexpr Field sky_fields[] = {
 const BlockInfo sky{"sky", "", sky_fields, {}, "what rays bring that hit nothing, by direction"};
 
 void make_sky(BlockReader& block, std::uint32_t&) {
-    Evaluator& evaluator = block.evaluator();
-    if (evaluator.is_repeated("sky", evaluator.sky_place, block.place())) return;
-    evaluator.check_one_background(block.place());
+    if (block.context().singles.is_second_sky(block.place())) return;
     Gradient made;
     if (!block.read(&made)) return;
     check_order(block, made.stops);
@@ -28,7 +27,7 @@ void make_sky(BlockReader& block, std::uint32_t&) {
     }
     if (!block.good()) return;
     for (const Gradient::Stop& stop : made.stops)
-        warn_bright_light(evaluator.report(), block.place("stops"), stop.color);
+        warn_bright_light(block.report(), block.place("stops"), stop.color);
     block.builder().scene.sky = std::move(made);
 }
 

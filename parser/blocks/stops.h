@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/material.h"
-#include "parser/block_reader.h"
 #include "parser/blocks/brightness.h"
+#include "parser/evaluation/block_reader.h"
 #include "parser/rules.h"
 
 namespace lancer {

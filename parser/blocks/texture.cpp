@@ -110,7 +110,7 @@ bool find_image(BlockReader& block, const TextureSpec& spec, std::uint32_t& inde
         index = known->second;
         return true;
     }
-    const auto pixels = block.evaluator().load_image(path, spec.color_space, block.place("image"));
+    const auto pixels = block.context().files.image(path, spec.color_space, block.place("image"));
     if (pixels == nullptr) return false;
     index = static_cast<std::uint32_t>(images.size());
     indices[{path, srgb}] = index;
@@ -139,7 +139,7 @@ void make_texture(BlockReader& block, std::uint32_t& result) {
         block.error(Message::transform_singular, block.place());
         return;
     }
-    Report& report = block.evaluator().report();
+    Report& report = block.report();
     for (const Gradient::Stop& stop : spec.stops)
         warn_bright_surface(report, block.place("stops"), stop.color);
     warn_bright_surface(report, block.place("checker"), spec.checker.even);

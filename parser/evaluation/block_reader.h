@@ -5,16 +5,16 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/evaluator.h"
+#include "parser/ast.h"
+#include "parser/evaluation/block_context.h"
+#include "parser/evaluation/files.h"
+#include "parser/scene_builder.h"
 
 namespace lancer {
 
-/// "a sphere", "an image".
-std::string with_article(const std::string& title);
-
 class BlockReader {
   public:
-    BlockReader(Evaluator& evaluator, const ast::File& file, const ast::Statement& block,
+    BlockReader(const BlockContext& context, const ast::File& file, const ast::Statement& block,
                 const BlockWord& word);
 
     /// Reads every property into the struct its table is for: `own` for the block's own fields,
@@ -34,34 +34,26 @@ class BlockReader {
     template <class... Args>
     Diagnostic* error(Message message, const SourceSpan& where, const Args&... args) {
         good_ = false;
-        return evaluator_.report().error(message, where, args...);
+        return context_.report.error(message, where, args...);
     }
     template <class... Args>
     void warning(Message message, const SourceSpan& where, const Args&... args) {
-        evaluator_.report().warning(message, where, args...);
+        context_.report.warning(message, where, args...);
     }
     bool good() const { return good_; }
 
-    Evaluator& evaluator() { return evaluator_; }
-    SceneBuilder& builder() { return evaluator_.builder(); }
-    Meter& meter() { return evaluator_.meter(); }
+    const BlockContext& context() const { return context_; }
+    Report& report() { return context_.report; }
+    SceneBuilder& builder() { return context_.builder; }
+    Meter& meter() { return context_.meter; }
     const BlockWord& word() const { return word_; }
     /// The second word: a camera's, material's or texture's name.
     std::string_view name() const;
     SourceSpan name_place() const { return file_.name_span(block_); }
     /// A file name in the script as a path.
     std::string resolve_path(std::string_view path) const {
-        return evaluator_.resolve_path(file_, path);
+        return context_.files.resolve_path(file_, path);
     }
-
-    /// Value of a property by its table, with all errors reported. False: do not use it.
-    static bool read_property(Evaluator& evaluator, const ast::File& file,
-                              const ast::Statement& property, const Field& field, void* owner);
-    /// Reports a property that the block does not know, with what is near.
-    /// Returns the property that was probably meant, if there is one.
-    static std::string_view report_unknown(Evaluator& evaluator, const ast::File& file,
-                                           const ast::Statement& property, const PropertySet& known,
-                                           const std::string& title);
 
   private:
     struct Given {
@@ -71,7 +63,7 @@ class BlockReader {
     void report_unknown(const ast::Statement& statement);
     void read_statement(const ast::Statement& statement, void* own, void* shared);
 
-    Evaluator& evaluator_;
+    const BlockContext& context_;
     const ast::File& file_;
     const ast::Statement& block_;
     const BlockWord& word_;
@@ -80,6 +72,14 @@ class BlockReader {
     bool good_ = true;
     bool evaluates_ = true;
 };
+
+/// Value of a property by its table, with all errors reported. False: do not use it.
+bool read_property(const BlockContext& context, const ast::File& file,
+                   const ast::Statement& property, const Field& field, void* owner);
+
+/// The material of a shape or group that holds it itself; `none` after an error.
+std::uint32_t make_inline_material(const BlockContext& context, const ast::File& file,
+                                   const ast::Statement& statement);
 
 /// What a block becomes. `result`, for materials and textures, is the index of what was made.
 using MakeBlock = void (*)(BlockReader& block, std::uint32_t& result);

@@ -1,8 +1,11 @@
-#include "parser/block_reader.h"
+#include "parser/evaluation/block_reader.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "parser/evaluation/expressions.h"
+#include "parser/evaluation/names.h"
+#include "parser/evaluation/unknown_words.h"
 #include "parser/habits.h"
 #include "parser/suggest.h"
 
@@ -11,13 +14,13 @@ namespace {
 
 using Kind = ast::Statement::Kind;
 
-/// "'base', 'top' and 'radius'".
 /// Whether it takes values beside its words: one word alone would be no choice. A name of the
 /// script's then wins over the word.
 bool takes_values(const Field& field) {
     return field.words.size() == 1;
 }
 
+/// "'base', 'top' and 'radius'".
 std::string enumeration(const std::vector<std::string_view>& words) {
     std::string all;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -81,22 +84,16 @@ std::string_view word_of(Kind kind) {
 
 }  // namespace
 
-std::string with_article(const std::string& title) {
-    const bool vowel = std::string_view("aeiou").find(title.front()) != std::string_view::npos &&
-                       !title.starts_with("uni");
-    return (vowel ? "an " : "a ") + title;
-}
-
-BlockReader::BlockReader(Evaluator& evaluator, const ast::File& file, const ast::Statement& block,
-                         const BlockWord& word)
-    : evaluator_(evaluator),
+BlockReader::BlockReader(const BlockContext& context, const ast::File& file,
+                         const ast::Statement& block, const BlockWord& word)
+    : context_(context),
       file_(file),
       block_(block),
       word_(word),
       given_(word.properties.fields().size()) {}
 
 std::string_view BlockReader::name() const {
-    return block_.name == no_symbol ? std::string_view{} : evaluator_.text(block_.name);
+    return block_.name == no_symbol ? std::string_view{} : context_.text(block_.name);
 }
 
 const ast::Statement* BlockReader::find(std::string_view property) const {
@@ -113,8 +110,8 @@ SourceSpan BlockReader::place(std::string_view property) const {
                                              : file_.span(*statement);
 }
 
-bool BlockReader::read_property(Evaluator& evaluator, const ast::File& file,
-                                const ast::Statement& property, const Field& field, void* owner) {
+bool read_property(const BlockContext& context, const ast::File& file,
+                   const ast::Statement& property, const Field& field, void* owner) {
     const ast::Expression& expression = property.value;
     const SourceSpan place = file.span(expression);
     Value value;
@@ -122,74 +119,45 @@ bool BlockReader::read_property(Evaluator& evaluator, const ast::File& file,
     const bool lone_name = expression.end - expression.begin == 1 && first.op == ast::Op::name;
     const auto& words = field.words;
     if (!words.empty() && lone_name) {
-        const std::string_view word = evaluator.text(first.low());
+        const std::string_view word = context.text(first.low());
         const bool known = std::find(words.begin(), words.end(), word) != words.end();
-        const bool is_value = evaluator.has_value(first.low());
+        const bool is_value = context.names.has_value(first.low());
         if (takes_values(field) ? known && !is_value : known || !is_value)
             value = Value(std::string(word));
     }
-    if (value.is_broken()) value = evaluator.evaluate(file, expression);
+    if (value.is_broken()) value = context.expressions.evaluate(file, expression);
     if (value.is_broken()) return false;
     std::string instead;
-    if (value.is_list()) evaluator.meter().elements(value.size(), place);
+    if (value.is_list()) context.meter.elements(value.size(), place);
     if (field.read(value, owner, instead)) return true;
     if (instead.empty()) instead = describe(value);
     Diagnostic* error =
-        evaluator.report().error(Message::property_takes, place, field.name, field.takes, instead);
+        context.report.error(Message::property_takes, place, field.name, field.takes, instead);
     if (error != nullptr) error->hint = hint_for_value(field, value);
     return false;
-}
-
-std::string_view BlockReader::report_unknown(Evaluator& evaluator, const ast::File& file,
-                                             const ast::Statement& property,
-                                             const PropertySet& known, const std::string& title) {
-    const std::string_view word = evaluator.text(property.word);
-    Diagnostic* error = evaluator.report().error(Message::unknown_property, file.span(property),
-                                                 word, with_article(title));
-    Suggestion suggestion(word);
-    std::string all;
-    for (const Field* field : known.fields()) {
-        suggestion.consider(field->name);
-        all += (all.empty() ? "" : ", ") + std::string(field->name);
-    }
-    if (error != nullptr) {
-        const Vocabulary& vocabulary = evaluator.program().vocabulary;
-        const bool of_material =
-            known.knows(vocabulary.material) &&
-            vocabulary.block(vocabulary.material, no_symbol)->properties.knows(property.word);
-        const std::string_view instead = habits::instead_of(word);
-        error->hint = !suggestion.empty() ? suggestion.hint()
-                      : of_material
-                          ? "'" + std::string(word) + "' belongs to a material: material { " +
-                                std::string(word) + " ... }"
-                      : instead.empty() ? with_article(title) + " has " + all
-                                        : std::string(instead);
-    }
-    for (const Field* field : known.fields())
-        if (field->name == suggestion.word()) return field->name;
-    return {};
 }
 
 void BlockReader::report_unknown(const ast::Statement& statement) {
     good_ = false;
     const std::string_view meant =
-        report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+        report_unknown_property(file_, statement, word_.properties, word_.info->title(), context_);
     if (!meant.empty()) misspelt_.push_back(meant);
 }
 
 void BlockReader::read_statement(const ast::Statement& statement, void* own, void* shared) {
-    Report& report = evaluator_.report();
+    Report& report = context_.report;
     const bool inline_material =
-        statement.kind == Kind::block && statement.word == evaluator_.program().vocabulary.material;
+        statement.kind == Kind::block && statement.word == context_.vocabulary().material;
     const bool block = statement.kind == Kind::block;
     if (statement.kind != Kind::property && !(block && word_.properties.knows(statement.word))) {
         good_ = false;
         if (block) {
-            if (evaluator_.program().vocabulary.is_block(statement.word)) {
+            if (context_.vocabulary().is_block(statement.word)) {
                 report.error(Message::block_misplaced, file_.span(statement),
-                             evaluator_.text(statement.word), with_article(word_.info->title()));
+                             context_.text(statement.word), with_article(word_.info->title()));
             } else {
-                report_unknown(evaluator_, file_, statement, word_.properties, word_.info->title());
+                report_unknown_property(file_, statement, word_.properties, word_.info->title(),
+                                        context_);
             }
         } else if (statement.kind == Kind::call) {
             report_unknown(statement);
@@ -218,7 +186,7 @@ void BlockReader::read_statement(const ast::Statement& statement, void* own, voi
     void* owner = index < word_.own_fields ? own : shared;
     if (!evaluates_ && (!block || inline_material)) return;
     if (!block) {
-        if (!read_property(evaluator_, file_, statement, field, owner)) good_ = false;
+        if (!read_property(context_, file_, statement, field, owner)) good_ = false;
         return;
     }
     if (!inline_material) {
@@ -226,7 +194,7 @@ void BlockReader::read_statement(const ast::Statement& statement, void* own, voi
         report.error(Message::block_is_property, file_.span(statement), field.name);
         return;
     }
-    const std::uint32_t material = evaluator_.make_inline_material(file_, statement);
+    const std::uint32_t material = make_inline_material(context_, file_, statement);
     static_cast<Attributes*>(owner)->material = material;
     if (material == none) good_ = false;
 }
@@ -238,7 +206,7 @@ void BlockReader::check() {
 
 bool BlockReader::read(void* own, void* shared) {
     for (std::uint32_t i = block_.body.begin; i < block_.body.end; ++i) {
-        evaluator_.meter().statement(file_.span(file_.statements[i]));
+        context_.meter.statement(file_.span(file_.statements[i]));
         read_statement(file_.statements[i], own, shared);
     }
     if (block_.damaged) good_ = false;
@@ -251,10 +219,23 @@ bool BlockReader::read(void* own, void* shared) {
     }
     if (!missing.empty()) {
         good_ = false;
-        evaluator_.report().error(Message::property_missing, place(),
-                                  with_article(word_.info->title()), enumeration(missing));
+        context_.report.error(Message::property_missing, place(), with_article(word_.info->title()),
+                              enumeration(missing));
     }
     return good_;
+}
+
+std::uint32_t make_inline_material(const BlockContext& context, const ast::File& file,
+                                   const ast::Statement& statement) {
+    const Vocabulary& vocabulary = context.vocabulary();
+    const BlockWord& word = *vocabulary.block(vocabulary.material, no_symbol);
+    if (statement.name != no_symbol)
+        context.report.error(Message::block_takes_no_name, file.name_span(statement),
+                             "a material inside a shape");
+    BlockReader reader(context, file, statement, word);
+    std::uint32_t result = none;
+    maker_of (*word.info)(reader, result);
+    return result;
 }
 
 }  // namespace lancer

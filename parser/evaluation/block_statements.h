@@ -1,0 +1,30 @@
+// The statements that are blocks or properties: what stands in files, groups and templates.
+#pragma once
+
+#include "parser/evaluation/block_context.h"
+#include "parser/evaluation/groups.h"
+#include "parser/evaluation/names.h"
+
+namespace lancer {
+
+class BlockStatements {
+  public:
+    BlockStatements(const BlockContext& context, Names& names, Groups& groups)
+        : context_(context), names_(names), groups_(groups) {}
+
+    void read_property(const ast::File& file, const ast::Statement& statement);
+    /// Makes what the block is. One that holds statements is returned, for its statements are to be
+    /// run; otherwise nullptr.
+    const BlockWord* read_block(const ast::File& file, const ast::Statement& statement);
+
+  private:
+    void read_property_of_file(const ast::File& file, const ast::Statement& statement,
+                               const Field& field);
+    void make(const ast::File& file, const ast::Statement& statement, const BlockWord& word);
+
+    const BlockContext& context_;
+    Names& names_;
+    Groups& groups_;
+};
+
+}  // namespace lancer

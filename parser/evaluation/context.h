@@ -1,0 +1,35 @@
+// What all parts of an evaluation share.
+#pragma once
+
+#include <string_view>
+
+#include "model/source.h"
+#include "parser/meter.h"
+#include "parser/program.h"
+#include "parser/report.h"
+
+namespace lancer {
+
+/// The script, what it may cost, and who is told what is wrong with it.
+struct Context {
+    Program& program;
+    SourceMap& sources;
+    Report& report;
+    Meter& meter;
+
+    std::string_view text(Symbol symbol) const { return program.symbols.text(symbol); }
+    const Vocabulary& vocabulary() const { return program.vocabulary; }
+
+    /// A call or an include begins: until leave_call() it is among the notes of what is reported.
+    /// Throws StopReading when too many stand within each other.
+    void enter_call(const SourceSpan& place, std::string_view name) const {
+        if (report.calls.size() >= meter.limits().calls) {
+            report.error(Message::call_limit, place, meter.limits().calls);
+            throw StopReading{};
+        }
+        report.calls.push_back({place, name});
+    }
+    void leave_call() const { report.calls.pop_back(); }
+};
+
+}  // namespace lancer

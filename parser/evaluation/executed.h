@@ -1,0 +1,38 @@
+// Which statements a run reached.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "parser/ast.h"
+
+namespace lancer {
+
+class Executed {
+  public:
+    void mark(const ast::File& file, std::uint32_t statement) {
+        if (marked_ != &file) {
+            marked_ = &file;
+            marks_ = &of(file);
+        }
+        (*marks_)[statement] = true;
+    }
+
+    /// By statement.
+    std::vector<bool>& of(const ast::File& file) {
+        std::vector<bool>& marks = files_[&file];
+        marks.resize(file.statements.size());
+        return marks;
+    }
+
+    /// Whether anything in the file was.
+    bool holds(const ast::File& file) const { return files_.contains(&file); }
+
+  private:
+    std::unordered_map<const ast::File*, std::vector<bool>> files_;
+    const ast::File* marked_ = nullptr;  ///< the file that was marked last
+    std::vector<bool>* marks_ = nullptr;
+};
+
+}  // namespace lancer

@@ -1,0 +1,44 @@
+// Calls of functions in expressions. One of the script goes on in the loop that evaluates, so that
+// its depth is no depth of the program's own stack.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "parser/evaluation/computed_lists.h"
+#include "parser/evaluation/executed.h"
+#include "parser/evaluation/names.h"
+#include "parser/evaluation/parameters.h"
+#include "parser/evaluation/run.h"
+#include "parser/evaluation/value_stack.h"
+
+namespace lancer {
+
+class FunctionCalls {
+  public:
+    FunctionCalls(const Context& context, Names& names, ValueStack& stack, Executed& executed,
+                  const ComputedLists& lists)
+        : context_(context), names_(names), stack_(stack), executed_(executed), lists_(lists) {}
+
+    /// Replaces the arguments by the result; for a function of the script `run` becomes its run.
+    void call(Run& run, const ast::Step& step);
+    /// At the end of the run of a function: its next default, or what called it, with the result.
+    void end(Run& run, Value result);
+
+  private:
+    void enter(Run& run, const ast::Step& call, const Binding& callee);
+    bool arrange(const Run& run, const ast::Step& call, const Parameters& parameters);
+    bool arrange_named(const Run& run, std::size_t first, std::size_t unnamed,
+                       const Parameters& parameters);
+    void bind_parameters(Run& run);
+    void report_no_function(Symbol name, const SourceSpan& place, const Binding* binding);
+
+    const Context context_;
+    Names& names_;
+    ValueStack& stack_;
+    Executed& executed_;
+    const ComputedLists& lists_;
+    std::vector<Run> waiting_;  ///< for a function that they called
+};
+
+}  // namespace lancer

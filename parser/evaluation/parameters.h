@@ -1,0 +1,53 @@
+// The parameters of a template or function of the script, as a call sees them.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "parser/evaluation/context.h"
+#include "parser/scopes.h"
+
+namespace lancer {
+
+/// The argument that a parameter has, if it has one.
+struct Given {
+    Value value;
+    bool is_given = false;
+};
+
+class Parameters {
+  public:
+    Parameters(const ast::File& home, const ast::Statement& definition)
+        : file_(home), definition_(definition) {}
+
+    std::size_t size() const { return definition_.arguments.size(); }
+    const ast::Argument& operator[](std::size_t i) const {
+        return file_.arguments[definition_.arguments.begin + i];
+    }
+    /// Of the template or function.
+    Symbol name() const { return definition_.name; }
+    const ast::File& file() const { return file_; }
+
+    /// Gives the parameter of this name a value. False after an error.
+    bool give(Symbol name, Value value, std::vector<Given>& given, const SourceSpan& place,
+              const Context& context) const;
+
+  private:
+    void report_unknown(Symbol name, const SourceSpan& place, const Context& context) const;
+
+    const ast::File& file_;
+    const ast::Statement& definition_;
+};
+
+/// A parameter with its value, for the scope of a call.
+inline Binding parameter_binding(const ast::File& home, const ast::Argument& parameter,
+                                 Value value) {
+    Binding binding;
+    binding.name = parameter.name;
+    binding.place = home.span(parameter);
+    binding.value = std::move(value);
+    return binding;
+}
+
+}  // namespace lancer
