@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t most_pixels = 3;           // that are named
 constexpr std::uint64_t most_draws = 1'000'000;  // of a part's audit; far more than any takes
+constexpr std::uint64_t most_pixels_of_kind = std::uint64_t(1) << 40;
 
 /// Goes through all numbers of the sums in one order, to write them or to read them.
 class Writer {
@@ -114,9 +115,19 @@ void each_number(Visit& visit, Sums& s) {
     visit(s.off->asked);
     visit(s.off->steps);
     visit(s.off->predicted);
-    visit(s.off->printed.draws);
-    visit(s.off->printed.off);
-    visit(s.off->printed.undecided);
+    for (auto* kind : {&s.off->printed.calm, &s.off->printed.risky}) {
+        visit(kind->pixels);
+        visit(kind->draws);
+        visit(kind->off);
+        visit(kind->undecided);
+    }
+    visit(s.off->printed.step);
+}
+
+bool is_sound(const KindCount& count) {
+    return count.pixels <= most_pixels_of_kind && (count.draws > 0) == (count.pixels > 0) &&
+           count.draws <= most_draws && count.off <= count.draws &&
+           count.undecided <= count.draws - count.off;
 }
 
 /// That a report can be made of them.
@@ -132,9 +143,8 @@ bool is_sound(const ErrorSums& s) {
     if (s.pixels < 1) return false;
     if (s.off) {
         const OffCount& count = s.off->printed;
-        return !s.audited ||
-               (count.draws > 0 && count.draws <= most_draws && count.off <= count.draws &&
-                count.undecided <= count.draws - count.off);
+        return !s.audited || (is_sound(count.calm) && is_sound(count.risky) && count.step > 0 &&
+                              count.step <= most_draws && count.pixels() == s.pixels);
     }
     return !s.audited || s.rare_light || (s.deciding.count >= 2 && s.printed.count >= 2);
 }

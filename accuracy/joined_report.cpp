@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "accuracy/binomial.h"
+#include "accuracy/strata.h"
 #include "model/elementary.h"
 
 namespace lancer::accuracy {
@@ -106,33 +106,48 @@ void tell_error(ErrorReport& report, std::span<const ErrorSums> parts) {
     report.dominant = all_dominant(parts, judged.all_zero);
 }
 
-/// The parts' draws are nearly as many for each pixel, and those that are off are counted together.
-/// The count spreads less than a binomial one of the mean chance (Hoeffding, "On the distribution
-/// of the number of successes in independent trials", Ann. Math. Stat. 27, 1956), so Clopper and
-/// Pearson's interval holds for that mean; where a part has too few draws for its pixels, the ends
-/// make up for it.
+/// A kind's weights with which the mean of the draws' chances stands for that of the pixels: where
+/// a part has few draws for its pixels, it may have more of those that are off.
+struct Weights {
+    double least = HUGE_VAL;
+    double most = 0;
+};
+Weights weights_of(std::span<const ErrorSums> parts, const KindCount OffCount::*kind,
+                   const KindCount& all) {
+    if (all.pixels == 0) return {0, 0};
+    Weights weights;
+    for (const ErrorSums& part : parts) {
+        const KindCount& count = part.off->printed.*kind;
+        if (count.pixels == 0) continue;
+        const double a_draw = static_cast<double>(count.pixels) / static_cast<double>(count.draws) *
+                              static_cast<double>(all.draws) / pixels_of(parts);
+        weights.most = std::max(weights.most, a_draw);
+        weights.least = std::min(weights.least, a_draw);
+    }
+    return weights;
+}
+
+/// The parts' draws are nearly as many for each pixel of a kind, and those that are off are counted
+/// together.
 void tell_off(OffReport& off, std::span<const ErrorSums> parts) {
     const double pixels = pixels_of(parts);
     OffCount all;
-    for (const ErrorSums& part : parts) {
-        all.draws += part.off->printed.draws;
-        all.off += part.off->printed.off;
-        all.undecided += part.off->printed.undecided;
-    }
-    double most = 0;
-    double least = HUGE_VAL;
     off.estimate = {0, 0, 1};
     for (const ErrorSums& part : parts) {
-        const double weight = part.pixels / pixels;
-        const double a_draw =
-            weight / static_cast<double>(part.off->printed.draws) * static_cast<double>(all.draws);
-        most = std::max(most, a_draw);
-        least = std::min(least, a_draw);
-        off.estimate.share += weight * estimate(part.off->printed).share;
+        const OffCount& count = part.off->printed;
+        all.calm.add(count.calm);
+        all.risky.add(count.risky);
+        all.step = std::max(all.step, count.step);
+        off.estimate.share += part.pixels / pixels * share_of(count);
     }
-    const OffEstimate together = estimate(all);
-    off.estimate.low = together.low * least;
-    off.estimate.high = std::min(1.0, together.high * most);
+    const Weights calm = weights_of(parts, &OffCount::calm, all.calm);
+    const Weights risky = weights_of(parts, &OffCount::risky, all.risky);
+    const bool alike = parts.size() == 1;
+    off.estimate.low =
+        lower_share({{calm.least, all.calm.draws}, {risky.least, all.risky.draws}, all.step, alike},
+                    all.least());
+    off.estimate.high = upper_share(
+        {{calm.most, all.calm.draws}, {risky.most, all.risky.draws}, all.step, alike}, all.most());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "accuracy/off_allocation.h"
 
 #include <algorithm>
+#include <numeric>
 #include <queue>
 
 #include "accuracy/allocation.h"
@@ -9,6 +10,7 @@
 namespace lancer::accuracy {
 namespace {
 
+constexpr double from_neighbors = 0.05;  // of the mean risk around a pixel
 constexpr int most_doublings = 8;  // looked ahead: the first may bring nothing, and the third much
 
 /// How likely a pixel of this squared error, summed over channels, is off. A grey error spreads
@@ -51,6 +53,25 @@ double predicted_off(const Samples& samples, const Prediction& prediction, doubl
     for (std::size_t i = 0; i < samples.size(); ++i)
         sum += chance_off(prediction.of(i, samples.pixels()[i].count), threshold);
     return sum / static_cast<double>(samples.size());
+}
+
+PixelKinds kinds_of(const Samples& samples, const Prediction& prediction, double threshold,
+                    double calm_share) {
+    std::vector<double> risks(samples.size());
+    for (std::size_t i = 0; i < risks.size(); ++i)
+        risks[i] = chance_off(prediction.of(i, samples.pixels()[i].count), threshold);
+    const std::vector<double> around = box_means(risks, samples.width(), samples.height(), 3);
+    for (std::size_t i = 0; i < risks.size(); ++i)
+        risks[i] = std::max(risks[i], from_neighbors * around[i]);
+    std::vector<std::size_t> order(risks.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return risks[a] < risks[b]; });
+    double left = calm_share * static_cast<double>(risks.size());
+    std::size_t calm = 0;
+    while (calm < order.size() && risks[order[calm]] <= left) left -= risks[order[calm++]];
+    const auto end = order.begin() + static_cast<std::ptrdiff_t>(calm);
+    return {{order.begin(), end}, {end, order.end()}};
 }
 
 OffAllocation allocation_for(const Samples& samples, const Prediction& prediction, double threshold,

@@ -13,6 +13,15 @@ namespace lancer::accuracy {
 /// taken as normal, with the variance that Prediction guesses.
 double predicted_off(const Samples& samples, const Prediction& prediction, double threshold);
 
+/// The pixels in two kinds. Where neighbours may be off, what is predicted of a pixel alone is not
+/// enough to call it calm.
+struct PixelKinds {
+    std::vector<std::size_t> calm;   ///< as many as hold at most so large a predicted share
+    std::vector<std::size_t> risky;  ///< the others
+};
+PixelKinds kinds_of(const Samples& samples, const Prediction& prediction, double threshold,
+                    double calm_share);
+
 /// Numbers of samples, and what they are predicted to bring.
 struct OffAllocation {
     std::vector<std::uint32_t> counts;  ///< each pixel's, at least those that it has

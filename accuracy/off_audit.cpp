@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "accuracy/binomial.h"
 #include "model/sobol.h"
 
 namespace lancer::accuracy {
@@ -21,10 +20,12 @@ constexpr double sure = 4.03;
 /// Beside the audits' of errors and the measurements of limits, see limits.cpp.
 constexpr std::uint64_t stream = std::uint64_t(1) << 63 | std::uint64_t(1) << 61;
 
-/// A drawn pixel, and what its nets have brought.
+/// A drawn pixel, and what its nets have brought. Drawn twice, it is looked at once: the same rays
+/// say the same of it.
 struct Draw {
     std::size_t pixel;
-    std::uint64_t number;
+    KindCount* kind;
+    std::uint64_t times = 1;
     std::array<Color, nets> sums{};
 };
 
@@ -62,7 +63,7 @@ void raise(const Truth& truth, const Samples& samples, std::uint64_t audit, std:
             const int y = samples.row(draw.pixel);
             for (std::size_t net = 0; net < nets; ++net) {
                 const SobolPoints sequence(
-                    pixel_key(samples.seed(), x, y, stream | audit << 40 | draw.number << 3 | net));
+                    pixel_key(samples.seed(), x, y, stream | audit << 40 | net));
                 for (std::uint32_t i = from; i < to; ++i)
                     points.push_back({x + sequence[i].x, y + sequence[i].y});
             }
@@ -77,18 +78,34 @@ void raise(const Truth& truth, const Samples& samples, std::uint64_t audit, std:
 }
 
 /// Independent draws in the picture's order, which keeps neighbouring rays together.
-std::vector<Draw> drawn(const Samples& samples, const OffPlan& plan) {
+std::vector<Draw> drawn(const Samples& samples, const OffPlan& plan, OffCount& count) {
     std::vector<Draw> draws;
-    for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(plan.draws); ++k) {
-        const std::uint64_t bits = samples.key(stream | (plan.number + 1) << 40 | k);
-        const double share = static_cast<double>(bits >> 11) * 0x1p-53;
-        const auto pixel = static_cast<std::size_t>(share * static_cast<double>(samples.size()));
-        draws.push_back({pixel, k});
+    std::uint64_t number = 0;
+    const auto draw = [&](const std::vector<std::size_t>& pixels, std::uint64_t times,
+                          KindCount& kind) {
+        kind.pixels = pixels.size();
+        if (pixels.empty()) return;
+        kind.draws = times;
+        for (std::uint64_t k = 0; k < times; ++k) {
+            const std::uint64_t bits = samples.key(stream | (plan.number + 1) << 40 | number++);
+            const double share = static_cast<double>(bits >> 11) * 0x1p-53;
+            const auto place = static_cast<std::size_t>(share * static_cast<double>(pixels.size()));
+            draws.push_back({pixels[place], &kind});
+        }
+    };
+    draw(plan.calm, plan.calm_draws, count.calm);
+    draw(plan.risky, plan.risky_draws, count.risky);
+    count.step = plan.step;
+    std::sort(draws.begin(), draws.end(),
+              [](const Draw& a, const Draw& b) { return a.pixel < b.pixel; });
+    std::vector<Draw> pixels;
+    for (const Draw& d : draws) {
+        if (!pixels.empty() && pixels.back().pixel == d.pixel)
+            ++pixels.back().times;
+        else
+            pixels.push_back(d);
     }
-    std::sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
-        return a.pixel != b.pixel ? a.pixel < b.pixel : a.number < b.number;
-    });
-    return draws;
+    return pixels;
 }
 
 /// So many points a net that what all miss puts no pixel off: light of 1 in less than 1/n of it
@@ -102,9 +119,8 @@ std::uint32_t first_points(double threshold) {
 }  // namespace
 
 OffCount count_off(const Truth& truth, const Samples& samples, const OffPlan& plan) {
-    std::vector<Draw> open = drawn(samples, plan);
     OffCount count;
-    count.draws = open.size();
+    std::vector<Draw> open = drawn(samples, plan, count);
     std::uint32_t held = 0;
     const std::uint32_t first = first_points(plan.threshold);
     for (std::uint32_t points = first; points <= most_points; points *= 2) {
@@ -113,20 +129,19 @@ OffCount count_off(const Truth& truth, const Samples& samples, const OffPlan& pl
         std::erase_if(open, [&](const Draw& draw) {
             const Color value = samples.pixels()[draw.pixel].mean();
             const Verdict v = verdict(draw, value, points, plan.threshold);
-            if (v == Verdict::off) ++count.off;
+            if (v == Verdict::off) draw.kind->off += draw.times;
             return v != Verdict::undecided;
         });
     }
-    count.undecided = open.size();
+    for (const Draw& draw : open) draw.kind->undecided += draw.times;
     return count;
 }
 
 OffCount count_left_out(const Truth& truth, const Renderer& renderer, const TraceLimits& limits,
                         const Samples& samples, const OffPlan& plan) {
-    std::vector<Draw> whole = drawn(samples, plan);
-    std::vector<Draw> cut = whole;
     OffCount count;
-    count.draws = whole.size();
+    std::vector<Draw> whole = drawn(samples, plan, count);
+    std::vector<Draw> cut = whole;
     raise(truth, samples, plan.number, whole, 0, left_out_points, count.rays);
     raise({renderer, limits}, samples, plan.number, cut, 0, left_out_points, count.rays);
     for (std::size_t k = 0; k < whole.size(); ++k) {
@@ -135,17 +150,41 @@ OffCount count_left_out(const Truth& truth, const Renderer& renderer, const Trac
             difference += (whole[k].sums[net] - cut[k].sums[net]) / double(nets * left_out_points);
         for (int c = 0; c < 3; ++c) {
             if (std::abs(difference[c]) <= plan.threshold) continue;
-            ++count.off;
+            whole[k].kind->off += whole[k].times;
             break;
         }
     }
     return count;
 }
 
+void KindCount::add(const KindCount& other) {
+    pixels += other.pixels;
+    draws += other.draws;
+    off += other.off;
+    undecided += other.undecided;
+}
+
+double KindCount::share() const {
+    if (draws == 0) return 0;
+    return (static_cast<double>(off) + static_cast<double>(undecided) / 2) /
+           static_cast<double>(draws);
+}
+
+std::uint64_t OffCount::most() const {
+    return least() + step * calm.undecided + risky.undecided;
+}
+
+double share_of(const OffCount& count) {
+    return (static_cast<double>(count.calm.pixels) * count.calm.share() +
+            static_cast<double>(count.risky.pixels) * count.risky.share()) /
+           count.pixels();
+}
+
 OffEstimate estimate(const OffCount& count) {
-    const double off = static_cast<double>(count.off) + static_cast<double>(count.undecided) / 2;
-    return {off / static_cast<double>(count.draws), clopper_pearson(count.off, count.draws).low,
-            clopper_pearson(count.off + count.undecided, count.draws).high};
+    const double calm = static_cast<double>(count.calm.pixels) / count.pixels();
+    const double risky = static_cast<double>(count.risky.pixels) / count.pixels();
+    const TwoKinds kinds{{calm, count.calm.draws}, {risky, count.risky.draws}, count.step, true};
+    return {share_of(count), lower_share(kinds, count.least()), upper_share(kinds, count.most())};
 }
 
 }  // namespace lancer::accuracy
