@@ -105,6 +105,13 @@ Audit audit(const Truth& truth, const Samples& samples, std::span<const double> 
     return result;
 }
 
+void Audit::add(const Audit& other) {
+    terms.insert(terms.end(), other.terms.begin(), other.terms.end());
+    pixels.insert(pixels.end(), other.pixels.begin(), other.pixels.end());
+    seen.insert(seen.end(), other.seen.begin(), other.seen.end());
+    rays += other.rays;
+}
+
 void TermSums::add(std::span<const double> terms) {
     count += static_cast<double>(terms.size());
     for (const double t : terms) {

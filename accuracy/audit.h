@@ -46,6 +46,9 @@ struct Audit {
     std::vector<std::size_t> pixels;  ///< that were drawn, index into Samples::pixels()
     std::vector<SeenDraw> seen;       ///< for best_shares()
     RayCounts rays;
+
+    /// Draws of another audit of the same samples, by the same plan but for its number.
+    void add(const Audit& other);
 };
 
 /// \param predicted  squared errors to draw by, one a pixel; see Prediction::errors

@@ -24,6 +24,7 @@ constexpr double no_better = 0.8;  // of a mean square, after a round that shoul
 // below the goal that the one that is printed will say so too; the aim is a little further off.
 constexpr double deciding_margin = 3;
 constexpr double aimed_margin = 4.3;
+constexpr double sure_effective_draws = 2 * least_effective_draws;
 
 /// Draws of the largest audit. In a small picture, more would cost more than more samples.
 int most_draws(const Samples& samples) {
@@ -117,19 +118,33 @@ class Search {
         return a;
     }
 
-    /// An audit that decides: larger ones, drawn by what the smaller have found, until enough draws
-    /// carry it.
+    /// Whether what is to be decided is: an error above the goal, or one below it. To end at the
+    /// latter takes more draws that count, or audits that met too little would end soonest.
+    bool is_decided(const ErrorEstimate& e) const {
+        if (e.effective_draws < least_effective_draws || e.mean_square <= 0) return false;
+        const double above = e.mean_square * elementary::exp(-deciding_margin * e.log_error());
+        if (above > square(goal_.max_error)) return true;
+        return e.effective_draws >= sure_effective_draws && is_below(e, deciding_margin);
+    }
+
+    /// An audit that decides: half of its draws, and the others where these leave it open; larger
+    /// ones, drawn by what the smaller have found, until enough draws carry it.
     ErrorEstimate judged() {
         const int most = most_draws(*samples_);
         for (;;) {
-            judge_ = audited(draws_, report_.deciding);
-            const ErrorEstimate e = estimate(judge_.terms);
+            judge_ = audited((draws_ + 1) / 2, report_.deciding);
+            ErrorEstimate e = estimate(judge_.terms);
+            if (is_decided(e)) return e;
+            judge_.add(audited(draws_ / 2, report_.deciding));
+            e = estimate(judge_.terms);
             if (e.all_zero || e.effective_draws >= least_effective_draws || draws_ >= most)
                 return e;
             draws_ = std::min(most, 2 * draws_);
             shares_ = best_shares(judge_.seen);
         }
     }
+
+    int judged_draws() const { return static_cast<int>(judge_.terms.size()); }
 
     void correct(const ErrorEstimate& e) {
         const double predicted = prediction_.mean_square(*samples_);
@@ -192,7 +207,7 @@ class Search {
             const bool refined = target > 0 && refine_to(target);
             if (misses_rare_light()) return;
             e = judged();
-            expected_error = log_error(e, draws_, draws_);
+            expected_error = log_error(e, judged_draws(), draws_);
             if (!refined || is_below(e, deciding_margin)) break;
             if (round > 0 && e.mean_square > no_better * earlier && cuts_too_much()) {
                 earlier = 0;
@@ -204,7 +219,8 @@ class Search {
             shares_ = best_shares(judge_.seen);
         }
         // As many as a told interval takes, by what the last audit says.
-        const double needed = draws_ * std::max(1.0, square(e.log_error() / told_log_error));
+        const double needed =
+            std::max<double>(draws_, judged_draws() * square(e.log_error() / told_log_error));
         report_.effective_draws = e.effective_draws;
         report_.dominant = dominant_pixels(judge_, *samples_, 3);
         report_.is_told = e.effective_draws >= least_effective_draws &&

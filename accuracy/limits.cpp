@@ -34,6 +34,23 @@ std::vector<PicturePoint> spread_points(const View& view, std::uint32_t count, s
     return points;
 }
 
+/// The first for which something is good enough that gets better from one to the next; `count` when
+/// none is. After the first it halves what is left: each look takes rays.
+template <class IsGood>
+std::size_t first_of(std::size_t count, const IsGood& is_good) {
+    if (is_good(0)) return 0;
+    std::size_t begin = 1;
+    std::size_t end = count;
+    while (begin < end) {
+        const std::size_t middle = (begin + end) / 2;
+        if (is_good(middle))
+            end = middle;
+        else
+            begin = middle + 1;
+    }
+    return begin;
+}
+
 /// The mean squared difference over channels, with twice its standard error on top.
 double difference(const std::vector<Color>& a, const std::vector<Color>& b) {
     const double n = static_cast<double>(a.size());
@@ -79,20 +96,21 @@ TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLim
     if (counted.reflected + counted.transmitted == 0) return best;  // nothing to cut
 
     if (!fixed.max_depth) {
-        for (const int depth : {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64, 128, 256}) {
-            const TraceLimits shallow{depth, best.min_contribution};
-            if (difference(colors_at(shallow, rays), right) > mean_square / 2) continue;
-            best = shallow;
-            break;
-        }
+        const std::array depths{1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64, 128, 256};
+        const std::size_t found = first_of(depths.size(), [&](std::size_t i) {
+            const TraceLimits shallow{depths[i], best.min_contribution};
+            return difference(colors_at(shallow, rays), right) <= mean_square / 2;
+        });
+        if (found < depths.size()) best.max_depth = depths[found];
     }
     if (!fixed.min_contribution) {
-        for (const double factor : {100.0, 50.0, 20.0, 10.0, 5.0, 2.0}) {
-            const TraceLimits coarse{best.max_depth, truth.limits.min_contribution * factor};
-            if (difference(colors_at(coarse, rays), right) > mean_square) continue;
-            best = coarse;
-            break;
-        }
+        const std::array factors{100.0, 50.0, 20.0, 10.0, 5.0, 2.0};
+        const std::size_t found = first_of(factors.size(), [&](std::size_t i) {
+            const TraceLimits coarse{best.max_depth, truth.limits.min_contribution * factors[i]};
+            return difference(colors_at(coarse, rays), right) <= mean_square;
+        });
+        if (found < factors.size())
+            best.min_contribution = truth.limits.min_contribution * factors[found];
     }
     return best;
 }

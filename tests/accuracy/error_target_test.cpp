@@ -54,6 +54,14 @@ TEST(ErrorTarget, IntervalsHoldTheTruthAndGoalsAreHeld) {
     EXPECT_LE(tally.above, 3);
 }
 
+/// What half of an audit's draws decide, the other half is not asked; and limits are found by
+/// halves.
+TEST(ErrorTarget, DecidingTakesFewRaysWhereItIsEasy) {
+    const ErrorReport report = rendered(PlainRenderer(plain_picture("balls")), 0.05, 0).report;
+    EXPECT_TRUE(report.is_reached());
+    EXPECT_LT(report.deciding.primary, 42000U);
+}
+
 TEST(ErrorTarget, SparksAreRefusedAnInterval) {
     const PlainRenderer renderer(plain_picture("sparks"));
     for (const double goal : {0.02, 0.01}) {
