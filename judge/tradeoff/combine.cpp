@@ -9,16 +9,20 @@
 namespace lancer::judge {
 namespace {
 
-constexpr double least_gain = 0.97;           // of the cost that a knob must leave
+constexpr double least_gain = 0.97;           // of the rays that a knob must leave
+constexpr double least_time = 0.95;           // of the time, where rays do not tell it
+constexpr double faster = 0.8;                // what is then taken for that share
 constexpr double worst_square = 0.05 * 0.05;  // of an error that is worth a look
 
 struct Candidate {
     TradeSetting setting;
-    TradePoint expected;  ///< error: squared
+    TradePoint expected;  ///< cost in rays; error: squared
     int turned = 0;       ///< knobs beside the samples
 };
 
 /// Of the base's cost. Where a knob saves rays, their numbers tell it without the clock's noise.
+/// Where it saves time alone, the clock says whether it does, and not how much, or its noise would
+/// choose other combinations in each run.
 double share_of_cost(const KnobEffect& e, const KnobEffect& base) {
     switch (e.setting.knob) {
         case Knob::max_depth:
@@ -26,7 +30,7 @@ double share_of_cost(const KnobEffect& e, const KnobEffect& base) {
         case Knob::shadows:
             return e.rays / base.rays;
         default:
-            return e.seconds / base.seconds;
+            return e.time < least_time ? faster : 1;
     }
 }
 
@@ -57,7 +61,7 @@ std::vector<TradeSetting> promising(const TurnedScene& turned, const KnobEffect&
     std::vector<Candidate> all;
     for (const KnobEffect& e : singles) {
         if (e.setting.knob == Knob::samples || e.setting.knob == Knob::exact)
-            all.push_back({e.setting, {e.seconds, e.mean_square}, 0});
+            all.push_back({e.setting, {e.rays, e.mean_square}, 0});
     }
     for (const Knob knob : {Knob::max_depth, Knob::min_contribution, Knob::tolerance,
                             Knob::precision, Knob::shadows, Knob::smooth, Knob::textures}) {

@@ -23,13 +23,13 @@ std::vector<std::size_t> frontier(std::span<const TradePoint> points) {
     return best;
 }
 
-std::vector<std::size_t> clear_frontier(std::span<const TradePoint> points, double time_noise) {
+std::vector<std::size_t> clear_frontier(std::span<const TradePoint> points, double saving) {
     std::vector<std::size_t> best;
     double group = 0;  // seconds of the first that the last stands for
     for (const std::size_t i : frontier(points)) {
         if (!best.empty() && points[i].error > (1 - error_noise) * points[best.back()].error)
             continue;
-        if (!best.empty() && points[i].seconds < (1 + time_noise) * group) {
+        if (!best.empty() && points[i].seconds < (1 + saving) * group) {
             best.back() = i;
             continue;
         }
@@ -40,14 +40,14 @@ std::vector<std::size_t> clear_frontier(std::span<const TradePoint> points, doub
 }
 
 std::vector<std::optional<std::size_t>> dominators(std::span<const TradePoint> points,
-                                                   double time_noise) {
-    const std::vector<std::size_t> best = clear_frontier(points, time_noise);
+                                                   double saving) {
+    const std::vector<std::size_t> best = clear_frontier(points, saving);
     std::vector<std::optional<std::size_t>> result(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (std::find(best.begin(), best.end(), i) != best.end()) continue;
-        // Of those that are as fast, the one with the least error.
+        // Of those that are as cheap, the one with the least error.
         for (const std::size_t b : best) {
-            if (result[i] && points[b].seconds > (1 + time_noise) * points[i].seconds) break;
+            if (result[i] && points[b].seconds > (1 + saving) * points[i].seconds) break;
             result[i] = b;
         }
     }

@@ -46,10 +46,11 @@ std::string detail(const TradeOffReport& r, std::size_t i, const std::string& pr
     html += picture(m.guessed_png, r, "The same, as the setting guessed it");
     html += picture(m.samples_png, r, "Samples a pixel: doubled from black to white");
     html += fmt::format(
-        "</div><p>RMSE {} · 99.9 % {} · FLIP {}<br>{} s of the processor, {} times as fast as "
+        "</div><p>RMSE {} · 99.9 % {} · FLIP {}<br>{} s of the processor, cost {} s, {} times as "
+        "fast as "
         "exact · {} rays a pixel · shadow {} · reflected {} · transmitted {}{}</p></div>\n",
         error_text(m.error), shown(m.error.p999, 2), shown(m.error.flip, 2), shown(m.median()),
-        shown(r.settings[r.exact].median() / std::max(1e-9, m.median()), 2),
+        shown(m.counted()), shown(r.settings[r.exact].counted() / std::max(1e-9, m.counted()), 2),
         shown(static_cast<double>(m.rays.primary) / r.pixels()), m.rays.shadow, m.rays.reflected,
         m.rays.transmitted,
         m.memory_bytes ? fmt::format(" · {:.1f} MB", static_cast<double>(*m.memory_bytes) / 1e6)
@@ -60,11 +61,12 @@ std::string detail(const TradeOffReport& r, std::size_t i, const std::string& pr
 std::string table(const TradeOffReport& r, const std::string& prefix) {
     std::string html =
         "<div class=\"table\"><table class=\"settings\"><thead><tr><th class=\"number\">No</th>"
-        "<th>Setting</th><th class=\"number\">Time, s</th><th class=\"number\">Rays a pixel</th>"
+        "<th>Setting</th><th class=\"number\">Cost, s</th><th class=\"number\">Time, s</th><th "
+        "class=\"number\">Rays a pixel</th>"
         "<th class=\"number\">MB</th><th class=\"number\">RMSE</th><th class=\"number\">95 %</th>"
         "<th class=\"number\">99.9 %</th><th class=\"number\">FLIP</th><th></th></tr></thead>"
         "<tbody>\n";
-    for (const std::size_t i : by_time(r)) {
+    for (const std::size_t i : by_cost(r)) {
         const Measurement& m = r.settings[i];
         html += fmt::format(
             "<tr class=\"{}\" data-setting=\"{}\"><td class=\"number\">{}</td><td>{} <a "
@@ -72,7 +74,8 @@ std::string table(const TradeOffReport& r, const std::string& prefix) {
             m.beaten_by ? "beaten" : "best", i, i + 1, scatter_key(m.setting.knob), prefix, i,
             escaped(m.setting.label));
         for (const std::string& cell :
-             {shown(m.median()), shown(static_cast<double>(m.rays.primary) / r.pixels()),
+             {shown(m.counted()), shown(m.median()),
+              shown(static_cast<double>(m.rays.primary) / r.pixels()),
               m.memory_bytes ? fmt::format("{:.1f}", static_cast<double>(*m.memory_bytes) / 1e6)
                              : "",
               m.error.is_told() ? shown(m.error.rmse) : "below " + shown(m.error.high, 2),
@@ -108,11 +111,11 @@ std::string section(const TradeOffReport& r, std::size_t scene, const std::strin
     }
     html += fmt::format(
         "</ul>\n<p class=\"soft\">{}x{} pixels, {} thread{}. Truth: {} rays a pixel, its own error "
-        "about {}{}; {}.</p>\n",
+        "about {}{}; {}. {}</p>\n",
         r.width(), r.height(), r.threads, r.threads == 1 ? "" : "s", r.truth_points,
         shown(r.truth_error, 2),
         r.is_truth_rough() ? ", more than a third of the smallest error here" : "",
-        truth_cut_words(r));
+        truth_cut_words(r), "C" + cost_words(r).substr(1) + ".");
     html += "<div class=\"plot\"><div>" + scatter_for_page(r, prefix) + legend(r) +
             fmt::format("<p class=\"soft\"><a href=\"{}\">The plot as SVG</a></p></div>",
                         url_of(plot)) +

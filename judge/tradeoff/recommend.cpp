@@ -14,12 +14,12 @@ std::vector<Advice> advice_from(const std::vector<Measurement>& settings, std::s
         Advice advice{below, text, {}, 1};
         for (std::size_t i = 0; i < settings.size(); ++i) {
             if (settings[i].beaten_by || !(settings[i].error.high <= below)) continue;
-            if (!advice.use || settings[i].median() < settings[*advice.use].median())
+            if (!advice.use || settings[i].counted() < settings[*advice.use].counted())
                 advice.use = i;
         }
         if (advice.use) {
-            const double seconds = settings[*advice.use].median();
-            if (seconds > 0) advice.times_as_fast = settings[exact].median() / seconds;
+            const double cost = settings[*advice.use].counted();
+            if (cost > 0) advice.times_as_fast = settings[exact].counted() / cost;
         }
         all.push_back(advice);
     }

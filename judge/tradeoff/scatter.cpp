@@ -80,7 +80,7 @@ class Drawing {
         std::vector<double> seconds;
         std::vector<double> errors;
         for (const Measurement& m : report.settings) {
-            seconds.push_back(std::max(1e-6, m.median()));
+            seconds.push_back(std::max(1e-6, m.counted()));
             if (m.error.counted() > 0) errors.push_back(m.error.counted());
         }
         if (errors.empty()) errors = {1e-3, 1};
@@ -100,7 +100,7 @@ class Drawing {
         const double error = m.error.counted();
         return error > 0 ? y_.at(error) : height - bottom;
     }
-    double place_of(const Measurement& m) const { return x_.at(std::max(1e-6, m.median())); }
+    double place_of(const Measurement& m) const { return x_.at(std::max(1e-6, m.counted())); }
 
     std::string grid() const {
         std::string out =
@@ -125,7 +125,7 @@ class Drawing {
                 left, y, width - right, width - right - 4, y - 4, a.below_text);
         }
         out += fmt::format(
-            "<text class=\"axis middle\" x=\"{}\" y=\"{}\">processor time, seconds</text>"
+            "<text class=\"axis middle\" x=\"{}\" y=\"{}\">cost, seconds of the processor</text>"
             "<text class=\"axis middle\" transform=\"translate(14,{}) rotate(-90)\">error (RMSE, "
             "linear light)</text>\n",
             (left + width - right) / 2, height - 10, (top + height - bottom) / 2);
@@ -134,7 +134,7 @@ class Drawing {
 
     std::string frontier_line() const {
         std::string path;
-        for (const std::size_t i : by_time(report_)) {
+        for (const std::size_t i : by_cost(report_)) {
             const Measurement& m = report_.settings[i];
             if (m.beaten_by) continue;
             path +=
@@ -147,15 +147,15 @@ class Drawing {
     std::string points() const {
         std::string beaten;
         std::string best;
-        for (const std::size_t i : by_time(report_))
+        for (const std::size_t i : by_cost(report_))
             (report_.settings[i].beaten_by ? beaten : best) += point(i);
         return beaten + best;
     }
 
     std::string point(std::size_t i) const {
         const Measurement& m = report_.settings[i];
-        const std::string text = fmt::format("{}: {} s, error {}", m.setting.label,
-                                             shown(m.median()), error_text(m.error));
+        const std::string text = fmt::format("{}: cost {} s, error {}", m.setting.label,
+                                             shown(m.counted()), error_text(m.error));
         const std::string style = group_of(m.setting.knob).style + (m.beaten_by ? " beaten" : "");
         std::string whisker;
         if (m.error.high > 0 && m.error.low > 0)

@@ -23,15 +23,17 @@ constexpr std::uint32_t first_points = 16;   // of each half of the truth
 constexpr std::uint32_t most_points = 4096;  // of each half
 constexpr std::size_t most_combinations = 16;
 constexpr int fewest_rounds = 3;
-constexpr int most_rounds = 9;
+constexpr int most_rounds = 15;
+constexpr double short_run = 0.2;               // seconds: what takes longer is run in the fewest
 constexpr double short_rounds = 3;              // seconds that more rounds than the fewest may take
+constexpr double short_pairs = 0.5;             // the same, of pairs of runs
 constexpr std::size_t picture_bytes = 100'000;  // of one on the page
 
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+/// What a ray takes depends on it; see TimedSetting.
+std::string way_of(const TradeSetting& setting) {
+    const Settings& s = setting.settings;
+    return fmt::format("{} {} {} {} {}", static_cast<int>(s.precision), s.tolerance.value_or(0),
+                       s.smooth, s.textures, setting.max_error.has_value());
 }
 
 class TradeOff {
@@ -176,6 +178,7 @@ class TradeOff {
                 run_setting(scene_, view_, setting, stage(setting.label, units_of(setting)));
             m.seconds.push_back(run.cost.processor);
             walls_.push_back(run.cost.wall);
+            processor_.push_back(run.cost.processor);
             m.memory_bytes = run.cost.memory_bytes;
             m.rays = run.rays;
             m.error = error_of(run.image, truth_);
@@ -206,8 +209,30 @@ class TradeOff {
 
     KnobEffect effect(std::size_t index, double cut) const {
         const Measurement& m = report_.settings[index];
-        return {m.setting, m.median(), static_cast<double>(m.rays.rays()),
-                std::max(0.0, m.error.mean_square), cut};
+        return {m.setting, static_cast<double>(m.rays.rays()), std::max(0.0, m.error.mean_square),
+                cut, 1};
+    }
+
+    static bool saves_time_alone(Knob knob) {
+        return knob == Knob::tolerance || knob == Knob::precision || knob == Knob::smooth ||
+               knob == Knob::textures;
+    }
+
+    /// Of the base's, from runs of both by turns: the quickest of each, as in quiet moments.
+    double share_of_time(const TradeSetting& setting) {
+        double base = 1e300;
+        double turned = 1e300;
+        double spent = 0;
+        for (int pair = 0; pair < most_rounds && (pair < fewest_rounds || spent < short_pairs);
+             ++pair) {
+            if (!fits(4 * unit_ * setting.points())) break;
+            const double one = run_setting(scene_, view_, base_.setting, {}).cost.processor;
+            const double other = run_setting(scene_, view_, setting, {}).cost.processor;
+            base = std::min(base, one);
+            turned = std::min(turned, other);
+            spent += one + other;
+        }
+        return turned / std::max(1e-6, base);
     }
 
     /// Errors that are asked for come after combinations: more of the frontier hangs on these.
@@ -232,6 +257,7 @@ class TradeOff {
             const bool is_cut = cuts(setting.knob);
             const double cut = is_cut ? mean_square_between(*image, base_image) : 0;
             singles_.push_back(effect(report_.settings.size() - 1, cut));
+            if (saves_time_alone(setting.knob)) singles_.back().time = share_of_time(setting);
             if (is_cut && cut == 0 && setting.knob != Knob::precision)
                 without_effect.insert(setting.knob);
         }
@@ -246,17 +272,27 @@ class TradeOff {
     /// Again through all, so that what slows the machine for a while slows all alike.
     void repeat() {
         double once = 0;
-        for (const double wall : walls_) once += wall;
-        const int rounds = std::clamp(static_cast<int>(short_rounds / std::max(once, 1e-3)),
+        double once_short = 0;
+        double busy_short = 0;
+        for (std::size_t i = 0; i < walls_.size(); ++i) {
+            once += walls_[i];
+            if (processor_[i] > short_run) continue;
+            once_short += walls_[i];
+            busy_short += processor_[i];
+        }
+        const int rounds = std::clamp(static_cast<int>(short_rounds / std::max(busy_short, 1e-3)),
                                       fewest_rounds, most_rounds);
         for (int round = 1; round < rounds; ++round) {
-            if (!fits(1.1 * once)) {
+            const bool all = round < fewest_rounds;
+            if (!fits(1.1 * (all ? once : once_short))) {
                 if (round < fewest_rounds)
                     report_.left_out.push_back(
                         {"more rounds", fmt::format("no time; times are of {}", round)});
                 return;
             }
-            for (Measurement& m : report_.settings) {
+            for (std::size_t i = 0; i < report_.settings.size(); ++i) {
+                if (!all && processor_[i] > short_run) continue;
+                Measurement& m = report_.settings[i];
                 const SettingRun run = run_setting(scene_, view_, m.setting,
                                                    stage(m.setting.label, units_of(m.setting)));
                 m.seconds.push_back(run.cost.processor);
@@ -265,15 +301,18 @@ class TradeOff {
     }
 
     void finish() {
-        std::vector<TradePoint> points;
-        std::vector<double> spreads;
-        for (const Measurement& m : report_.settings) spreads.push_back(m.spread());
-        // Runs that differ by so much make medians that differ by about as much.
-        report_.time_noise = std::clamp(median_of(spreads), least_time_noise, 0.5);
+        std::vector<TimedSetting> timed;
         for (const Measurement& m : report_.settings)
-            points.push_back({m.median(), m.error.counted()});
-        const std::vector<std::optional<std::size_t>> beaten =
-            dominators(points, report_.time_noise);
+            timed.push_back({way_of(m.setting), m.setting.settings.max_depth, m.rays, m.seconds});
+        const SteadyCosts costs = steady_costs(timed);
+        report_.time_noise = costs.noise;
+        report_.ray_seconds = costs.fitted;
+        std::vector<TradePoint> points;
+        for (std::size_t i = 0; i < costs.seconds.size(); ++i) {
+            report_.settings[i].cost = costs.seconds[i];
+            points.push_back({costs.seconds[i], report_.settings[i].error.counted()});
+        }
+        const std::vector<std::optional<std::size_t>> beaten = dominators(points);
         for (std::size_t i = 0; i < points.size(); ++i) report_.settings[i].beaten_by = beaten[i];
         report_.advice = advice_from(report_.settings, report_.exact);
         report_.truth_points = 2 * truth_.points();
@@ -298,6 +337,7 @@ class TradeOff {
     double done_ = 0;
     std::vector<Image> finest_;  ///< pictures of the first settings
     std::vector<double> walls_;
+    std::vector<double> processor_;  ///< seconds of the first runs
     KnobEffect base_;
     std::vector<KnobEffect> singles_;
     std::set<std::string> known_;
@@ -307,13 +347,6 @@ class TradeOff {
 
 double Measurement::median() const {
     return median_of(seconds);
-}
-
-double Measurement::spread() const {
-    const double middle = median();
-    std::vector<double> distances;
-    for (const double s : seconds) distances.push_back(std::abs(s - middle));
-    return middle > 0 ? median_of(distances) / middle : 0;
 }
 
 double TradeOffReport::least_error() const {

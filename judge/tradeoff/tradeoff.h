@@ -9,6 +9,7 @@
 #include "judge/tradeoff/measured_error.h"
 #include "judge/tradeoff/recommend.h"
 #include "judge/tradeoff/settings.h"
+#include "judge/tradeoff/steady_cost.h"
 #include "judge/tradeoff/truth_cache.h"
 
 namespace lancer::judge {
@@ -25,6 +26,7 @@ struct TradeOffOptions {
 struct Measurement {
     TradeSetting setting;
     std::vector<double> seconds;  ///< of the processor, one a run
+    double cost = 0;              ///< steady_cost.h; 0: not told
     RayCounts rays;
     std::optional<std::uint64_t> memory_bytes;
     MeasuredError error;
@@ -35,8 +37,8 @@ struct Measurement {
     std::optional<std::size_t> beaten_by;  ///< index; nothing: on the frontier
 
     double median() const;
-    /// Median distance of the runs from that, as a share of it.
-    double spread() const;
+    /// What its place among the others goes by.
+    double counted() const { return cost > 0 ? cost : median(); }
 };
 
 struct LeftOut {
@@ -59,7 +61,8 @@ struct TradeOffReport {
     double truth_cut = 0;            ///< RMSE, a bound: of what its limits leave out
     bool truth_cached = false;       ///< at least in part
     std::string truth_png;           ///< if pictures were wanted
-    double time_noise = 0;           ///< share of a time that the clock cannot tell
+    double time_noise = 0;           ///< share of a median that the clock cannot tell
+    RaySeconds ray_seconds;          ///< as costs count them
     double seconds = 0;              ///< wall-clock, of all
 
     int width() const { return view.crop ? view.crop->width : view.width; }
@@ -79,8 +82,8 @@ struct BudgetTooShort : std::runtime_error {
 
 /// Turns each knob alone and then what promises something together, against a truth that is
 /// refined until its own error is a third of the smallest to be expected. Times are medians of
-/// rounds through all settings. `scene.settings` says threads (not 0) and seed. Throws
-/// BudgetTooShort, SceneError.
+/// rounds through all settings; the frontier goes by what these and the rays say together.
+/// `scene.settings` says threads (not 0) and seed. Throws BudgetTooShort, SceneError.
 TradeOffReport trade_off(const Scene& scene, const View& view, const TradeOffOptions& options);
 
 }  // namespace lancer::judge

@@ -21,6 +21,7 @@ Json json_of(const Measurement& m, const TradeOffReport& report) {
               {"options", m.setting.options},
               {"frontier", !m.beaten_by},
               {"beaten_by", m.beaten_by ? Json(*m.beaten_by) : Json()},
+              {"cost", m.counted()},
               {"seconds", m.median()},
               {"runs", m.seconds},
               {"rays",
@@ -57,6 +58,10 @@ Json json_of(const TradeOffReport& r) {
               {"level", r.level},
               {"seconds", r.seconds},
               {"time_noise", r.time_noise},
+              {"ray_seconds",
+               {{"picture", r.ray_seconds.picture},
+                {"level", r.ray_seconds.level},
+                {"ray", r.ray_seconds.ray}}},
               {"truth",
                {{"rays_per_pixel", r.truth_points},
                 {"rmse", r.truth_error},
@@ -86,11 +91,11 @@ std::string seconds_text(double seconds) {
 std::string row(std::size_t number, const Measurement& m, const TradeOffReport& report) {
     const std::string memory =
         m.memory_bytes ? fmt::format("{:.1f}", static_cast<double>(*m.memory_bytes) / 1e6) : "-";
-    return fmt::format("{} {:>3} {:>8} {:>8} {:>7} {:<29} {:>7} {:>7}  {}\n",
-                       m.beaten_by ? ' ' : '*', number, seconds_text(m.median()),
-                       shown(static_cast<double>(m.rays.primary) / report.pixels()), memory,
-                       error_text(m.error), shown(m.error.p999, 2), shown(m.error.flip, 2),
-                       m.setting.label);
+    return fmt::format(
+        "{} {:>3} {:>8} {:>8} {:>8} {:>7} {:<29} {:>7} {:>7}  {}\n", m.beaten_by ? ' ' : '*',
+        number, seconds_text(m.counted()), seconds_text(m.median()),
+        shown(static_cast<double>(m.rays.primary) / report.pixels()), memory, error_text(m.error),
+        shown(m.error.p999, 2), shown(m.error.flip, 2), m.setting.label);
 }
 
 }  // namespace
@@ -101,11 +106,11 @@ std::string error_text(const MeasuredError& e) {
     return fmt::format("{} ({} to {})", shown(e.rmse), shown(e.low), shown(e.high));
 }
 
-std::vector<std::size_t> by_time(const TradeOffReport& report) {
+std::vector<std::size_t> by_cost(const TradeOffReport& report) {
     std::vector<std::size_t> order(report.settings.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return report.settings[a].median() < report.settings[b].median();
+        return report.settings[a].counted() < report.settings[b].counted();
     });
     return order;
 }
@@ -113,12 +118,10 @@ std::vector<std::size_t> by_time(const TradeOffReport& report) {
 std::string tradeoff_text(const TradeOffReport& r) {
     std::string out = fmt::format("{} ({}x{}, {} thread{})\n", r.scene, r.width(), r.height(),
                                   r.threads, r.threads == 1 ? "" : "s");
-    out += fmt::format("{:>5} {:>8} {:>8} {:>7} {:<29} {:>7} {:>7}  {}\n", "no", "cpu s", "rays/px",
-                       "MB", "RMSE (95 %)", "99.9 %", "FLIP", "setting");
-    for (const std::size_t i : by_time(r)) out += row(i + 1, r.settings[i], r);
-    out += fmt::format(
-        "* nothing else is both faster and nearer to the truth; times are sure to about {:.0f} %\n",
-        100 * r.time_noise);
+    out += fmt::format("{:>5} {:>8} {:>8} {:>8} {:>7} {:<29} {:>7} {:>7}  {}\n", "no", "cost s",
+                       "cpu s", "rays/px", "MB", "RMSE (95 %)", "99.9 %", "FLIP", "setting");
+    for (const std::size_t i : by_cost(r)) out += row(i + 1, r.settings[i], r);
+    out += "* nothing else is both cheaper and nearer to the truth\n" + cost_words(r) + "\n";
     out += fmt::format("truth: {} rays a pixel, its own error about {}{}\n", r.truth_points,
                        shown(r.truth_error, 2), r.truth_cached ? ", from the cache" : "");
     out += truth_cut_words(r) + "\n";
@@ -127,6 +130,14 @@ std::string tradeoff_text(const TradeOffReport& r) {
     for (const Advice& a : r.advice) out += sentence(a, r.settings) + "\n";
     for (const LeftOut& l : r.left_out) out += fmt::format("left out: {}: {}\n", l.setting, l.why);
     return out;
+}
+
+std::string cost_words(const TradeOffReport& r) {
+    return fmt::format(
+        "cost: the seconds of a setting's rays, by what all settings together say of each kind, "
+        "and of "
+        "its own times what surely differs; times are sure to about {:.0f} %",
+        100 * r.time_noise);
 }
 
 std::string truth_cut_words(const TradeOffReport& r) {

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 #include "judge/tradeoff/combine.h"
 #include "judge/tradeoff/frontier.h"
 #include "judge/tradeoff/measured_error.h"
 #include "judge/tradeoff/run_setting.h"
+#include "judge/tradeoff/steady_cost.h"
 #include "judge/tradeoff/tradeoff.h"
 #include "judge/tradeoff/tradeoff_text.h"
 #include "judge/tradeoff/truth_cache.h"
@@ -94,11 +96,68 @@ TEST(Frontier, HasNoneThatTheClockAloneWouldPutThere) {
     EXPECT_THAT(clear_frontier(chain, 0.2), ElementsAre(2, 4));
 }
 
-TEST(Measurement, SpreadIsTheMedianDistance) {
-    Measurement m;
-    m.seconds = {1, 1.1, 0.9, 5, 1};
-    EXPECT_EQ(m.median(), 1);
-    EXPECT_NEAR(m.spread(), 0.1, 1e-12);
+/// Settings of so many samples and levels, in double or single precision, whose runs are off by up
+/// to so much and in some rounds slower as a whole; every tenth run met a busy moment.
+std::vector<TimedSetting> timed(double noise, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+    };
+    std::vector<TimedSetting> all;
+    for (const bool single : {false, true})
+        for (const std::uint64_t samples : {1, 4, 9, 16, 36, 64})
+            for (const std::uint64_t depth : {1, 2, 4, 8}) {
+                TimedSetting s;
+                s.way = single ? "single" : "double";
+                s.levels = static_cast<int>(depth);
+                s.rays = {1000 * samples, 700 * samples * (depth + 1), 400 * samples * depth, 0};
+                all.push_back(s);
+            }
+    for (int round = 0; round < 5; ++round) {
+        const double slower = between(1, 1 + 2 * noise);
+        for (TimedSetting& s : all) {
+            const double rays = 1e-3 + 1e-6 * double(s.rays.primary) +
+                                2e-7 * double(s.rays.shadow) + 1e-6 * double(s.rays.reflected);
+            const double busy = between(0, 1) < 0.1 * (noise > 0) ? 1.5 : 1;
+            s.seconds.push_back(rays * (s.way == "single" ? 0.7 : 1) * slower * busy *
+                                between(1 - noise, 1 + noise));
+        }
+    }
+    return all;
+}
+
+TEST(SteadyCost, IsTheTimeWhereNothingDisturbsIt) {
+    std::vector<TimedSetting> settings = timed(0, 1);
+    for (double& s : settings[9].seconds) s *= 1.3;  // dearer than its rays tell
+    const SteadyCosts costs = steady_costs(settings);
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        EXPECT_NEAR(costs.seconds[i] / median_of(settings[i].seconds), 1, 0.03) << i;
+}
+
+TEST(SteadyCost, KeepsItsOrderOnABusyMachine) {
+    const std::vector<double> quiet = steady_costs(timed(0, 1)).seconds;
+    const auto out_of_order = [&](const std::vector<double>& costs) {
+        int wrong = 0;
+        for (std::size_t i = 0; i < costs.size(); ++i)
+            for (std::size_t k = 0; k < costs.size(); ++k)
+                wrong += quiet[i] > 1.05 * quiet[k] && costs[i] < costs[k];
+        return wrong;
+    };
+    int by_time = 0;
+    int by_cost = 0;
+    for (unsigned seed = 2; seed < 12; ++seed) {
+        const std::vector<TimedSetting> busy = timed(0.3, seed);
+        std::vector<double> medians;
+        for (const TimedSetting& s : busy) medians.push_back(median_of(s.seconds));
+        by_time += out_of_order(medians);
+        by_cost += out_of_order(steady_costs(busy).seconds);
+    }
+    EXPECT_LT(4 * by_cost, by_time);
+}
+
+TEST(SteadyCost, OfOneSettingIsItsTimeInAQuietMoment) {
+    const std::vector<TimedSetting> one{{"double", 8, {100, 50, 0, 0}, {0.2, 0.3, 0.25}}};
+    EXPECT_NEAR(steady_costs(one).seconds[0], 0.2, 1e-6);
 }
 
 TEST(TradeOffTruth, KnowsHowWrongItIs) {
@@ -239,14 +298,15 @@ TEST(TradeOffSettings, AreThoseThatTheSceneHasAUseFor) {
 TEST(TradeOffSettings, AreCombinedWhereThatPromisesSomething) {
     const Scene scene = balls(true);
     const TurnedScene t = turned(scene, small_view());
-    KnobEffect base{base_setting(t, 8), 9, 900, 1e-4, 0};
-    std::vector<KnobEffect> singles{base, {exact_setting(t, 8), 64, 6400, 1e-6, 0}};
+    KnobEffect base{base_setting(t, 8), 900, 1e-4, 0};
+    std::vector<KnobEffect> singles{base, {exact_setting(t, 8), 6400, 1e-6, 0}};
     for (const TradeSetting& s : single_settings(t, 8)) {
         if (s.knob == Knob::max_depth && s.settings.max_depth == 2)
-            singles.push_back({s, 5, 450, 1.1e-4, 1e-5});  // half the rays, a little error
+            singles.push_back({s, 450, 1.1e-4, 1e-5});  // half the rays, a little error
         if (s.knob == Knob::max_depth && s.settings.max_depth == 3)
-            singles.push_back({s, 5, 890, 1e-4, 1e-9});  // saves no rays, whatever the clock says
-        if (s.knob == Knob::shadows) singles.push_back({s, 5, 450, 0.04, 0.04});  // too wrong
+            singles.push_back({s, 890, 1e-4, 1e-9, 0.5});  // saves no rays, whatever the clock says
+        if (s.knob == Knob::shadows) singles.push_back({s, 450, 0.04, 0.04});          // too wrong
+        if (s.knob == Knob::precision) singles.push_back({s, 900, 1e-4, 1e-8, 0.97});  // no faster
     }
     const std::vector<TradeSetting> found = promising(t, base, singles, 16);
     std::vector<std::string> labels;

@@ -1,0 +1,143 @@
+#include "judge/tradeoff/steady_cost.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace lancer::judge {
+namespace {
+
+constexpr double least_seconds = 1e-6;  // that the clock knows of
+constexpr double unknown_noise = 0.2;   // of a run, as a logarithm: with one run nothing tells it
+constexpr double median_over_mean = 1.25;  // standard errors, of normal values
+constexpr double two_sided_95 = 1.96;
+// Standard errors. There are many settings, and of fifty one would differ by two for nothing.
+constexpr double sure = 3;
+constexpr double least_factor = 0.05;  // of a way, as a logarithm: less is none
+constexpr double of_a_shadow = 0.5;    // rays
+
+double counted(const RayCounts& rays) {
+    return static_cast<double>(rays.primary + rays.reflected + rays.transmitted) +
+           of_a_shadow * static_cast<double>(rays.shadow);
+}
+
+/// The value that a share of them lie below.
+double quantile_of(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// What else the machine does adds to a time and takes nothing from it: low ones are the nearest.
+double quiet_seconds(const TimedSetting& setting) {
+    return std::max(least_seconds, quantile_of(setting.seconds, 0.25));
+}
+
+double median_seconds(const TimedSetting& setting) {
+    return std::max(least_seconds, median_of(setting.seconds));
+}
+
+double standard_error(double noise, std::size_t runs) {
+    return median_over_mean * noise / std::sqrt(static_cast<double>(runs));
+}
+
+/// What costs: a picture, a level, a ray.
+using Row = std::array<double, 3>;
+
+Row row_of(const TimedSetting& setting) {
+    return {1, static_cast<double>(setting.levels), counted(setting.rays)};
+}
+
+double dot(const Row& a, const Row& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// What one of each costs, none below 0, with which rows bring 1 as nearly as they can; rows that
+/// are far off count less, so that a few slow runs do not pull.
+Row fitted(const std::vector<Row>& rows) {
+    Row costs{};
+    std::vector<double> weights(rows.size(), 1);
+    for (int round = 0; round < 10; ++round) {
+        for (int step = 0; step < 300; ++step) {  // one after the other
+            for (std::size_t k = 0; k < costs.size(); ++k) {
+                double wanted = 0;
+                double squares = 0;
+                for (std::size_t i = 0; i < rows.size(); ++i) {
+                    const double rest = 1 - dot(costs, rows[i]) + costs[k] * rows[i][k];
+                    wanted += weights[i] * rows[i][k] * rest;
+                    squares += weights[i] * rows[i][k] * rows[i][k];
+                }
+                costs[k] = squares > 0 ? std::max(0.0, wanted / squares) : 0;
+            }
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            weights[i] = 1 / std::max(0.05, std::abs(1 - dot(costs, rows[i])));
+    }
+    return costs;
+}
+
+RaySeconds fit_of(std::span<const TimedSetting> settings) {
+    std::vector<Row> rows;
+    for (const TimedSetting& s : settings) {
+        if (s.way != settings[0].way) continue;
+        rows.push_back(row_of(s));
+        for (double& r : rows.back()) r /= quiet_seconds(s);
+    }
+    const Row costs = fitted(rows);
+    return {costs[0], costs[1], costs[2]};
+}
+
+/// Of the logarithm of a run's seconds: as a normal one's of which a tenth lies as far off. Busy
+/// moments are rare and long.
+double noise_of(std::span<const TimedSetting> settings) {
+    std::vector<double> distances;
+    for (const TimedSetting& s : settings)
+        for (const double seconds : s.seconds)
+            if (s.seconds.size() > 1)
+                distances.push_back(
+                    std::abs(std::log(std::max(least_seconds, seconds) / median_seconds(s))));
+    return distances.empty() ? unknown_noise : quantile_of(distances, 0.9) / 1.64;
+}
+
+}  // namespace
+
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+double RaySeconds::of(const TimedSetting& setting) const {
+    return dot({picture, level, ray}, row_of(setting));
+}
+
+SteadyCosts steady_costs(std::span<const TimedSetting> settings) {
+    const double noise = noise_of(settings);
+    SteadyCosts result{fit_of(settings), {}, 0};
+    std::vector<double> expected;
+    std::map<std::string, std::vector<double>> apart;  // logarithm of seconds over these, by way
+    std::map<std::string, std::size_t> runs;
+    std::size_t rounds = 1;
+    for (const TimedSetting& s : settings) {
+        expected.push_back(std::max(least_seconds, result.fitted.of(s)));
+        apart[s.way].push_back(std::log(quiet_seconds(s) / expected.back()));
+        runs[s.way] += s.seconds.size();
+        rounds = std::max(rounds, s.seconds.size());
+    }
+    result.noise = two_sided_95 * standard_error(noise, rounds);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const TimedSetting& s = settings[i];
+        // A way's factor is what all its settings differ by, where they surely do.
+        double factor = s.way == settings[0].way ? 0 : median_of(apart[s.way]);
+        if (std::abs(factor) < std::max(least_factor, sure * standard_error(noise, runs[s.way])))
+            factor = 0;
+        const double own = std::log(quiet_seconds(s) / expected[i]) - factor;
+        const double unsure = sure * standard_error(noise, s.seconds.size());
+        const double kept = std::copysign(std::max(0.0, std::abs(own) - unsure), own);
+        result.seconds.push_back(expected[i] * std::exp(factor + kept));
+    }
+    return result;
+}
+
+}  // namespace lancer::judge
