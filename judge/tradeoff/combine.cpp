@@ -10,7 +10,7 @@ namespace lancer::judge {
 namespace {
 
 constexpr double least_gain = 0.97;           // of the rays that a knob must leave
-constexpr double least_time = 0.95;           // of the time, where rays do not tell it
+constexpr double least_time = 0.9;            // of the time, where rays do not tell it
 constexpr double faster = 0.8;                // what is then taken for that share
 constexpr double worst_square = 0.05 * 0.05;  // of an error that is worth a look
 
