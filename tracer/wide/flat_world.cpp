@@ -86,6 +86,10 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.balls = balls_.data();
     scene_.planes = planes_.data();
     scene_.meshes = meshes_.data();
+    // Planes are no meshes, so those of the items are numbered as they are.
+    const std::size_t most_in_cache = 1024;
+    if (meshes_.size() == world.bounded && world.bounded > most_in_cache)
+        scene_.meshes_of_items = meshes_.data();
     scene_.frames = frames_.data();
     scene_.boxes = boxes_.data();
     scene_.frustums = frustums_.data();

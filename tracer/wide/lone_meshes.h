@@ -5,8 +5,9 @@
 namespace lancer::wide::LANCER_LEVEL {
 
 /// Whether so few rays are better taken there one by one.
-LANCER_INLINE bool is_better_alone(const Mesh& mesh, Mask mask) {
-    return mesh.frame != nothing && __builtin_popcount(mask) <= few_rays;
+LANCER_INLINE bool is_better_alone(const Scene& scene, const Mesh& mesh, Mask mask) {
+    const int few = scene.meshes_of_items != nullptr ? few_rays_among_meshes : few_rays;
+    return mesh.frame != nothing && __builtin_popcount(mask) <= few;
 }
 
 class LoneMeshQuery {
@@ -26,7 +27,7 @@ class LoneMeshQuery {
         const LoneBoxRay box_ray(mesh_.tree, ray_, last());
         if (box_ray.misses) return;
         descend(
-            mesh_.tree, box_ray.slabs, 0, [&] { return box_ray.parameter(last()); },
+            mesh_.tree, nullptr, box_ray.slabs, 0, [&] { return box_ray.parameter(last()); },
             [&](std::uint32_t index, std::uint32_t count) {
                 if (shears_.count == 0) set_shear();  // a ray that reaches no leaf does without
                 const TriangleBlock& block = mesh_.leaves[index];

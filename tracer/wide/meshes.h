@@ -21,7 +21,7 @@ class MeshQuery {
     void crossings(Mask mask, const Numbers& last, Met&& met) {
         const Mask all_rays = mask;
         Shears shears;  // rays that reach no leaf do without
-        traverse(mesh_.tree, rays_, mask, last,
+        traverse(mesh_.tree, nullptr, rays_, mask, last,
                  [&](std::uint32_t index, std::uint32_t count, Mask some) {
                      if (shears.count == 0) shears.set(rays_, mesh_.reach, all_rays);
                      mask &= ~leaf(shears, mesh_.leaves[index], static_cast<int>(count),

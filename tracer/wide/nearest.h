@@ -33,7 +33,7 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     const Item& item = scene.items[index];
     if (item.kind == Kind::mesh) {
         const Mesh& mesh = scene.meshes[item.shape];
-        if (is_better_alone(mesh, mask))
+        if (is_better_alone(scene, mesh, mask))
             for_each_lane(mask,
                           [&](int i) { lone_mesh_crossings(mesh, index, r, starts, i, hits); });
         else
@@ -66,7 +66,7 @@ inline void find_nearest(const Job& job, const Rays& r, const Starts& starts, Ma
         const Mask mask = active & ~equal(starts.item, i) & ~equal(starts.left, i);
         plane_crossings(scene.planes[i - scene.bounded], i, r, mask, hits);
     }
-    traverse(scene.tree, r, active, hits.limit,
+    traverse(scene.tree, scene.meshes_of_items, r, active, hits.limit,
              [&](std::uint32_t first, std::uint32_t count, Mask met) {
                  for (std::uint32_t i = first; i < first + count; ++i) {
                      const Mask mask = met & ~equal(starts.left, i);

@@ -183,6 +183,7 @@ struct Scene {
     const Ball* balls;
     const Plane* planes;  ///< items[bounded..]
     const Mesh* meshes;
+    const Mesh* meshes_of_items;  ///< of the bounded ones, in their order; null: some are none
     const Frame* frames;
     const Box* boxes;
     const Frustum* frustums;

@@ -9,6 +9,8 @@ inline constexpr int stack_size = 768;
 
 /// No more rays than this go on one by one: eight boxes by one ray cost what one box by eight does.
 inline constexpr int few_rays = 2;
+/// The same among many meshes, where a ray by itself is told early what memory it will need.
+inline constexpr int few_rays_among_meshes = 4;
 
 /// One ray as the tests of eight boxes see it.
 struct LoneSlabs {
@@ -29,13 +31,31 @@ struct LoneSlabs {
     Axis axes[3];
 };
 
+/// Asks for the memory of what a ray comes to next, where most of it is in no cache: of many
+/// meshes, more than there is room for, and of the nodes over them.
+LANCER_INLINE void ask_for_memory(const Tree& tree, const Mesh* meshes, const Node& node,
+                                  Mask met) {
+    const auto ask = [](const void* from, int lines) {
+        for (int i = 0; i < lines; ++i) __builtin_prefetch(static_cast<const char*>(from) + 64 * i);
+    };
+    for (; met != 0; met &= met - 1) {
+        const int c = __builtin_ctz(met);
+        if (node.child[c] == nothing) return;
+        if (node.count[c] != 0)
+            ask(meshes + node.child[c], sizeof(Mesh) / 64);
+        else
+            ask(tree.nodes + node.child[c], sizeof(Node) / 64);
+    }
+}
+
 /// Its way through the nodes from `child` on: traverse() of bvh/traverse.h.
 ///
+/// \param meshes    what the items of the leaves are, item by item, or null
 /// \param last_now  called for a bound on the parameters of boxes that matter
 /// \param leaf      leaf(first, count) returns true to end the search
 template <class Last, class Leaf>
-LANCER_INLINE void descend(const Tree& tree, const LoneSlabs& slabs, std::uint32_t child,
-                           const Last& last_now, Leaf&& leaf) {
+LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs& slabs,
+                           std::uint32_t child, const Last& last_now, Leaf&& leaf) {
     struct Waiting {
         std::uint32_t child, count;
         float near;
@@ -60,6 +80,7 @@ LANCER_INLINE void descend(const Tree& tree, const LoneSlabs& slabs, std::uint32
             Mask met = at_most(near, far * all(far_factor));
             float nears[8];
             store(nears, near);
+            if (meshes != nullptr) ask_for_memory(tree, meshes, node, met);
             const auto next_met = [&] {
                 const int c = __builtin_ctz(met);
                 met &= met - 1;
@@ -92,8 +113,9 @@ LANCER_INLINE void descend(const Tree& tree, const LoneSlabs& slabs, std::uint32
 
 /// One ray of eight on its way through the nodes from `child` on.
 template <class Limit, class Leaf>
-[[gnu::noinline]] void traverse_alone(const Tree& tree, const BoxRays& rays, int i, Mask& active,
-                                      std::uint32_t child, const Limit& limit, Leaf&& leaf) {
+[[gnu::noinline]] void traverse_alone(const Tree& tree, const Mesh* meshes, const BoxRays& rays,
+                                      int i, Mask& active, std::uint32_t child, const Limit& limit,
+                                      Leaf&& leaf) {
     LoneSlabs slabs;
     for (int a = 0; a < 3; ++a) {
         const BoxRays::Slab& s = rays.slabs[a];
@@ -102,7 +124,7 @@ template <class Limit, class Leaf>
                           (negative(s.leave_inverse) >> i & 1) != 0);
     }
     descend(
-        tree, slabs, child, [&] { return lane(limit(), i); },
+        tree, meshes, slabs, child, [&] { return lane(limit(), i); },
         [&](std::uint32_t first, std::uint32_t count) {
             leaf(first, count, Mask(1) << i);
             return (active >> i & 1) == 0;
@@ -155,8 +177,11 @@ LANCER_INLINE Entries enter_boxes(const BoxRayPairs& rays, const Node& node, int
 
 /// Calls leaf(first, count, mask) for the leaves that rays of `active` may meet at a parameter in
 /// [0, limit], near ones first. `leaf` may shrink `limit`, and take rays out of `active`.
+///
+/// \param meshes  what the items of the leaves are, item by item, or null
 template <class Leaf>
-void traverse(const Tree& tree, const Rays& r, Mask& active, const Numbers& limit, Leaf&& leaf) {
+void traverse(const Tree& tree, const Mesh* meshes, const Rays& r, Mask& active,
+              const Numbers& limit, Leaf&& leaf) {
     if (tree.node_count == 0) return;
     const BoxRays rays(tree, r, active, limit);
     Mask mask = active & ~rays.misses;
@@ -174,13 +199,14 @@ void traverse(const Tree& tree, const Rays& r, Mask& active, const Numbers& limi
     Floats last = parameters();
     std::uint32_t child = 0;
     std::uint32_t count = 0;
+    const int few = meshes != nullptr ? few_rays_among_meshes : few_rays;
     for (;;) {
         if (count != 0) {
             leaf(child, count, mask);
             last = parameters();
-        } else if (__builtin_popcount(mask) <= few_rays) {
+        } else if (__builtin_popcount(mask) <= few) {
             for_each_lane(mask, [&](int i) {
-                traverse_alone(tree, rays, i, active, child, parameters, leaf);
+                traverse_alone(tree, meshes, rays, i, active, child, parameters, leaf);
             });
             last = parameters();
         } else {

@@ -31,7 +31,7 @@ class ShadowQuery {
             open &= ~(blocked_ | unsure_);
         }
         if (open != 0) {
-            traverse(scene_.tree, rays_, open, distance_,
+            traverse(scene_.tree, scene_.meshes_of_items, rays_, open, distance_,
                      [&](std::uint32_t first, std::uint32_t count, Mask met) {
                          for (std::uint32_t i = first; i < first + count; ++i) {
                              const Mask before = blocked_;
@@ -79,7 +79,7 @@ class ShadowQuery {
         if (!item.casts_shadow || mask == 0) return;
         if (item.kind == Kind::mesh) {
             const Mesh& mesh = scene_.meshes[item.shape];
-            if (is_better_alone(mesh, mask)) {
+            if (is_better_alone(scene_, mesh, mask)) {
                 for_each_lane(mask, [&](int i) {
                     note(lone_mesh_shadow(mesh, index, rays_, starts_, i, lane(distance_, i)),
                          item.glassy);
