@@ -7,10 +7,10 @@
 #include "model/diagnostic.h"
 #include "model/io/file.h"
 #include "model/io/images_apart.h"
+#include "model/io/pfm_file.h"
 #include "model/io/picture_format.h"
 #include "model/io/picture_input.h"
 #include "model/io/png_file.h"
-#include "model/io/pfm_file.h"
 #include "model/io/ppm_file.h"
 
 namespace lancer::io {
