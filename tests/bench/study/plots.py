@@ -59,6 +59,32 @@ def lines(title, across, upwards, series):
     return "\n".join([*out, "</svg>"]) + "\n"
 
 
+def bars(title, across, groups):
+    """`groups`: {name: [(label, value)]}, values from 0 to 100; the labels are the same in all."""
+    thick, gap, left = 9, 9, 96
+    labels = [label for label, _ in next(iter(groups.values()))]
+    row = thick * len(labels) + gap
+    bottom = TOP + 24 + row * len(groups)
+    def at(value):
+        return left + WIDTH * min(value, 100) / 100
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {left + WIDTH + 50} {bottom + 40}" role="img">', f"<title>{title}</title>", STYLE,
+           f'<text class="title" x="{left}" y="18">{title}</text>']
+    for i, label in enumerate(labels):
+        out += [f'<path d="M{left + 150 * i} 35h18" stroke="{COLORS[i]}" stroke-width="{thick}"/>',
+                f'<text x="{left + 150 * i + 24}" y="39">{label}</text>']
+    for value in range(0, 101, 20):
+        out += [f'<path class="grid" d="M{at(value):.1f} {TOP + 20}V{bottom}"/>',
+                f'<text x="{at(value):.1f}" y="{bottom + 16}" text-anchor="middle">{value}</text>']
+    for k, (name, values) in enumerate(groups.items()):
+        top = TOP + 24 + row * k
+        out.append(f'<text x="{left - 8}" y="{top + row / 2:.1f}" text-anchor="end">{name}</text>')
+        for i, (label, value) in enumerate(values):
+            out.append(f'<rect x="{left}" y="{top + thick * i}" width="{at(value) - left:.1f}" height="{thick - 1}" fill="{COLORS[i]}">'
+                       f"<title>{name}, {label}: {value:.0f} %</title></rect>")
+    out.append(f'<text x="{left + WIDTH / 2}" y="{bottom + 34}" text-anchor="middle">{across}</text>')
+    return "\n".join([*out, "</svg>"]) + "\n"
+
+
 def intervals(title, groups):
     """`groups`: {name: [(low, high)]}, intervals as shares of the truth, which is 1. Those that miss it are red."""
     panel, height, most = 132, 200, 1.5
