@@ -209,7 +209,9 @@ class Search {
             e = judged();
             expected_error = log_error(e, judged_draws(), draws_);
             if (!refined || is_below(e, deciding_margin)) break;
-            if (round > 0 && e.mean_square > no_better * earlier && cuts_too_much()) {
+            // A picture that begins anew in the last round would stay as it begins.
+            const bool may_begin_anew = round > 0 && round + 1 < most_rounds;
+            if (may_begin_anew && e.mean_square > no_better * earlier && cuts_too_much()) {
                 earlier = 0;
                 expected_error = told_log_error;  // few pixels carried what was found up to now
                 continue;

@@ -192,7 +192,9 @@ class Search {
             const OffCount count = counted(calm_draws_to_decide, report_.deciding);
             if (!refined || static_cast<double>(count.most()) <= allowed) return;
             const double found = share_of(count);
-            if (round > 0 && found > no_better * earlier && goes_deeper()) {
+            // A picture that begins anew in the last round would stay as it begins.
+            const bool may_begin_anew = round > 0 && round + 1 < most_rounds;
+            if (may_begin_anew && found > no_better * earlier && goes_deeper()) {
                 earlier = 0;
                 continue;
             }
