@@ -171,8 +171,15 @@ void judge(Validation& result, const AgainstJob& job) {
     result.reasons = result.judgement.failures;
     if (!result.judgement.pass) {
         tell_where(result, scene, ours.probe);
-        result.cause = likely_cause(scene, result.ours, result.theirs, result.judgement, reading,
-                                    clipped, ours.probe);
+        const auto cause = likely_cause(scene, result.ours, result.theirs, result.judgement,
+                                        reading, clipped, ours.probe);
+        if (cause) result.cause = cause->words;
+        const bool is_shifted =
+            cause ? cause->is_shift
+                  : shift_brings_nearer(result.ours, result.theirs, result.judgement, ours.probe);
+        // It has other reasons to differ, or it is kept.
+        if (!is_shifted && result.judgement.failures.size() > 1)
+            std::erase(result.reasons, result.judgement.shift_failure);
     }
     if (is_lower) {
         result.reasons.emplace_back(

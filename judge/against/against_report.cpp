@@ -62,7 +62,9 @@ Report against_report(const std::string& lancer_version, const std::string& pict
          "Where a picture differs it is tried whether one cause explains nearly all of it: the "
          "picture turned over or mirrored, a curve too many, another exposure, rays beside the "
          "pixels' centres, a light of another brightness or falloff, another up vector or angle of "
-         "view, normals that point the other way, an object that is missing."},
+         "view, normals that point the other way, objects that are missing, terms of the materials "
+         "that are left out or have another parameter, textures turned over, colours through a "
+         "curve, another depth of recursion."},
     };
     return report;
 }

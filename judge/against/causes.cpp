@@ -1,8 +1,10 @@
 #include "judge/against/causes.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "judge/against/light_fit.h"
 #include "judge/against/scene_variants.h"
@@ -20,6 +22,8 @@ constexpr std::size_t most_different = 6000;
 constexpr std::size_t most_agreeing = 3000;
 /// Variants of a scene with more triangles would take long to build.
 constexpr std::uint64_t most_triangles = 300'000;
+/// And those of all variants together.
+constexpr std::uint64_t most_built = 15'000'000;
 
 /// Every n-th of the pixels, so that no more than `most` are taken.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& pixels, std::size_t most) {
@@ -64,13 +68,13 @@ class Best {
   public:
     explicit Best(const Samples& samples) : samples_(samples) {}
 
-    void consider(const Explanation& explanation) {
+    void consider(Explanation explanation) {
         if (found_) return;
-        const Effect effect = effect_of(samples_, explanation.colors);
+        const Effect effect = effect_of(samples_, explanation);
         if (!effect.convinces()) return;
         const double gain = effect.repaired - effect.spoilt;
-        if (words_ && gain <= gain_ + 0.005) return;
-        words_ = explanation.words;
+        if (cause_ && gain <= gain_ + 0.005) return;
+        cause_ = Cause{std::move(explanation.words), explanation.is_shift};
         gain_ = gain;
         found_ = effect.is_perfect();
     }
@@ -79,23 +83,49 @@ class Best {
     }
     /// Nothing better can come.
     bool found() const { return found_; }
-    const std::optional<std::string>& words() const { return words_; }
+    const std::optional<Cause>& cause() const { return cause_; }
 
   private:
     const Samples& samples_;
-    std::optional<std::string> words_;
+    std::optional<Cause> cause_;
     double gain_ = 0;
     bool found_ = false;
 };
 
-std::vector<Color> colors_of(const SceneVariant& variant, const ValidationJob& job,
-                             const Samples& samples, const VariantTracer& tracer) {
-    Scene scene = *job.scene;
+/// Picture points → what the scene has there by an explanation.
+using Look = std::function<std::vector<Color>(const std::vector<PicturePoint>&)>;
+
+/// Looks at all samples only where it may convince: at a few of those that differ it must hold for
+/// more than the chance of drawing them leaves open.
+void consider_look(Best& best, const Samples& samples, std::string words, const Look& look) {
+    constexpr std::size_t most_first = 400;
+    Samples few = samples;
+    few.points.clear();
+    few.theirs.clear();
+    const std::size_t step = samples.different / most_first + 1;
+    for (std::size_t i = 0; i < samples.different; i += step) {
+        few.points.push_back(samples.points[i]);
+        few.theirs.push_back(samples.theirs[i]);
+    }
+    few.different = few.points.size();
+    if (effect_of(few, {"", look(few.points)}).repaired < 0.75) return;
+    best.consider(Explanation{std::move(words), look(samples.points)});
+}
+
+void consider_variant(Best& best, const Samples& samples, const VariantTracer& tracer,
+                      const Scene& original, const SceneVariant& variant) {
+    Scene scene = original;
     variant.change(scene);
-    if (!variant.mirrored) return tracer.trace(scene);
-    std::vector<PicturePoint> points = samples.points;
-    for (PicturePoint& p : points) p.x = tracer.view().width - p.x;
-    return tracer.trace(*compile(scene, scene.settings), scene.settings, points);
+    try {
+        const auto renderer = compile(scene, scene.settings);
+        consider_look(best, samples, variant.words, [&](std::vector<PicturePoint> points) {
+            if (variant.mirrored)
+                for (PicturePoint& p : points) p.x = tracer.view().width - p.x;
+            return tracer.trace(*renderer, scene.settings, points);
+        });
+    } catch (const SceneError&) {
+        // A variant that cannot be rendered is nobody's picture.
+    }
 }
 
 }  // namespace
@@ -121,10 +151,30 @@ std::vector<Suspect> suspects_of(const Judgement& judgement, const ProbeFunction
     return suspects;
 }
 
-std::optional<std::string> likely_cause(const ValidationJob& job, const Image& ours,
-                                        const Image& theirs, const Judgement& judgement,
-                                        const Reading& reading, bool clipped,
-                                        const ProbeFunction& probe) {
+bool shift_brings_nearer(const Image& ours, const Image& theirs, const Judgement& judgement,
+                         const ProbeFunction& probe) {
+    constexpr std::size_t most_looks = 1000;
+    constexpr double edge = 0.05;  // more says no more about a shift
+    const Shift& shift = judgement.picture_shift;
+    // Registration follows slopes, which lead no further.
+    if (!(shift.length() < 2)) return false;
+    std::vector<std::size_t> different;
+    for (std::size_t i = 0; i < judgement.different.size(); ++i) different.push_back(i);
+    double before = 0;
+    double after = 0;
+    for (const std::size_t i : thinned(different, most_looks)) {
+        const auto [x, y] = std::pair{judgement.different[i].x, judgement.different[i].y};
+        const Color there = color_at(theirs, x, y);
+        const Color moved = probe(x + 0.5 - shift.x, y + 0.5 - shift.y).color;
+        before += std::min(edge, distance(color_at(ours, x, y), there));
+        after += std::min(edge, distance(moved, there));
+    }
+    return different.empty() || after < 0.9 * before;
+}
+
+std::optional<Cause> likely_cause(const ValidationJob& job, const Image& ours, const Image& theirs,
+                                  const Judgement& judgement, const Reading& reading, bool clipped,
+                                  const ProbeFunction& probe) {
     Samples samples = samples_of(ours, theirs, reading, clipped, job.expect.thresholds.interior);
     if (judgement.different.size() < std::max(least_different, judgement.pixels / one_in))
         return std::nullopt;
@@ -141,23 +191,22 @@ std::optional<std::string> likely_cause(const ValidationJob& job, const Image& o
         best.consider(
             shifted_picture(samples, tracer, scene, *renderer, reading.center_x, reading.center_y));
     }
-    if (renderer->counts().triangles > most_triangles) return best.words();
+    const std::uint64_t triangles = renderer->counts().triangles;
+    if (triangles > most_triangles) return best.cause();
     if (!best.found()) best.consider(other_lights(samples, tracer, job));
     if (!best.found()) {
         std::vector<std::size_t> objects;
         for (const Suspect& suspect : suspects_of(judgement, probe))
             objects.push_back(suspect.object);
+        std::uint64_t built = 0;
         for (const SceneVariant& variant : scene_variants(job, job.view.camera, objects)) {
-            if (best.found()) break;
-            try {
-                best.consider({variant.words, colors_of(variant, job, samples, tracer)});
-            } catch (const SceneError&) {
-                // A variant that cannot be rendered is nobody's picture.
-            }
+            built += triangles;
+            if (best.found() || built > most_built) break;
+            consider_variant(best, samples, tracer, scene, variant);
         }
     }
     if (!best.found()) best.consider(other_falloffs(samples, tracer, job));
-    return best.words();
+    return best.cause();
 }
 
 }  // namespace lancer::judge

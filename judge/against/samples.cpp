@@ -28,22 +28,28 @@ Color as_held(const Color& color, const Samples& samples) {
     return held;
 }
 
-Effect effect_of(const Samples& samples, const std::vector<Color>& colors) {
+Effect effect_of(const Samples& samples, const Explanation& explanation) {
     std::size_t repaired = 0;
     std::size_t spoilt = 0;
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const bool agrees =
-            distance(as_held(colors[i], samples), samples.theirs[i]) <= samples.tolerance;
+    std::size_t different = 0;
+    std::size_t agreeing = 0;
+    const std::vector<std::uint8_t>& left_out = explanation.left_out;
+    for (std::size_t i = 0; i < explanation.colors.size(); ++i) {
+        if (!left_out.empty() && left_out[i] != 0) continue;
+        const Color color = as_held(explanation.colors[i], samples);
+        const bool agrees = distance(color, samples.theirs[i]) <= samples.tolerance;
         if (i < samples.different) {
+            ++different;
             repaired += agrees ? 1 : 0;
         } else {
+            ++agreeing;
             spoilt += agrees ? 0 : 1;
         }
     }
     const auto share = [](std::size_t part, std::size_t of) {
         return of == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(of);
     };
-    return {share(repaired, samples.different), share(spoilt, colors.size() - samples.different)};
+    return {share(repaired, different), share(spoilt, agreeing)};
 }
 
 }  // namespace lancer::judge

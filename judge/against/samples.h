@@ -1,7 +1,8 @@
 // Points of a picture at which causes are tried: all that cost little, and enough to tell.
 #pragma once
 
-#include <functional>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "model/image.h"
@@ -38,6 +39,15 @@ class VariantTracer {
     const Samples& samples_;
 };
 
+/// An explanation: what to say, and what the picture would be by it.
+struct Explanation {
+    std::string words;  ///< a sentence without a full stop
+    std::vector<Color> colors;
+    bool is_shift = false;
+    /// Of each sample: 1 where it says nothing, as beyond a picture's border. Empty: nowhere.
+    std::vector<std::uint8_t> left_out{};
+};
+
 /// What an explanation does to the samples.
 struct Effect {
     double repaired = 0;  ///< share of the different ones that agree by it
@@ -48,8 +58,8 @@ struct Effect {
     bool is_perfect() const { return repaired >= 0.995 && spoilt <= 0.001; }
 };
 
-/// Of an explanation that has `colors` at the samples' points, not clipped yet.
-Effect effect_of(const Samples& samples, const std::vector<Color>& colors);
+/// Its colours are not clipped yet.
+Effect effect_of(const Samples& samples, const Explanation& explanation);
 
 /// A value as the other picture would hold it.
 Color as_held(const Color& color, const Samples& samples);

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
-
-#include "judge/validate/place_words.h"
 
 namespace lancer::judge {
 
@@ -97,56 +96,34 @@ void add_settings(std::vector<SceneVariant>& variants, const Scene& scene) {
         add("meshes are flat: their vertices' normals are not interpolated",
             [](Scene& s) { s.settings.smooth = false; });
     }
+    if (!scene.sky) return;
+    add("there is no sky, the background's colour is in its place",
+        [](Scene& s) { s.sky = std::nullopt; });
+    add("the sky is upside down: its axis points the other way",
+        [](Scene& s) { s.sky->axis = -s.sky->axis; });
+}
+
+/// Whether a ray may go on as two: then each level may cost as much as all before it.
+bool has_branches(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+        return (m.transmission > 0 || m.filter > 0) && max_component(m.reflection) > 0;
+    });
+}
+
+/// The nearest depths first, and the roundest ones.
+void add_depths(std::vector<SceneVariant>& variants, const Scene& scene) {
     const int depth = scene.settings.max_depth;
-    const auto add_depth = [&](int other) {
-        add(fmt::format("rays are followed {} level{} deep; the scene says {}", other,
-                        other == 1 ? "" : "s", depth),
-            [other](Scene& s) { s.settings.max_depth = other; });
-    };
-    if (depth > 1) add_depth(1);
-    if (depth > 2) add_depth(depth - 1);
-    add_depth(depth + 1);
-}
-
-/// Lit as if its normals pointed the other way. Most programs then find no light at all, since the
-/// body is in the way; for a sheet it may come from behind.
-void turn_normals(Scene& scene, std::size_t object, bool from_behind) {
-    Object& turned = scene.objects[object];
-    Material material = scene.materials[turned.material];
-    material.diffuse_transmission = from_behind ? material.diffuse : 0;
-    material.phong_transmission = 0;
-    material.diffuse = material.phong = material.blinn = 0;
-    turned.material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back(material);
-}
-
-void add_normals(std::vector<SceneVariant>& variants, const ValidationJob& job,
-                 const std::vector<std::size_t>& suspects) {
-    for (const bool from_behind : {false, true}) {
-        for (const std::size_t object : suspects) {
-            variants.push_back({fmt::format("the normals of {} are flipped, it is lit from the "
-                                            "wrong side",
-                                            object_words(job, object)),
-                                [object, from_behind](Scene& scene) {
-                                    turn_normals(scene, object, from_behind);
-                                }});
-        }
-        if (job.scene->objects.size() < 2) continue;
-        variants.push_back({"all normals are flipped, everything is lit from the wrong side",
-                            [from_behind](Scene& scene) {
-                                for (std::size_t i = 0; i < scene.objects.size(); ++i)
-                                    turn_normals(scene, i, from_behind);
-                            }});
-    }
-}
-
-void add_missing(std::vector<SceneVariant>& variants, const ValidationJob& job,
-                 const std::vector<std::size_t>& suspects) {
-    for (const std::size_t object : suspects) {
-        variants.push_back({object_words(job, object) + " is missing", [object](Scene& scene) {
-                                scene.objects.erase(scene.objects.begin() +
-                                                    static_cast<std::ptrdiff_t>(object));
-                            }});
+    const int most = has_branches(scene) ? std::max(10, depth + 1) : std::max(64, depth + 1);
+    std::vector<int> depths{1, depth - 1, depth + 1, 2, 3, 4, 5, 6, 8, depth / 2};
+    for (const int larger : {2 * depth, 10, 16, 32, 64}) depths.push_back(larger);
+    std::vector<int> tried{depth};
+    for (const int other : depths) {
+        if (other < 1 || other > most) continue;
+        if (std::find(tried.begin(), tried.end(), other) != tried.end()) continue;
+        tried.push_back(other);
+        variants.push_back({fmt::format("rays are followed {} level{} deep; the scene says {}",
+                                        other, other == 1 ? "" : "s", depth),
+                            [other](Scene& s) { s.settings.max_depth = other; }});
     }
 }
 
@@ -160,8 +137,10 @@ std::vector<SceneVariant> scene_variants(const ValidationJob& job, std::size_t c
     add_exchanged_axes(variants, camera);
     add_fields_of_view(variants, seen, camera, job.view);
     add_settings(variants, *job.scene);
-    add_normals(variants, job, suspects);
-    add_missing(variants, job, suspects);
+    add_depths(variants, *job.scene);
+    add_object_variants(variants, job, suspects);
+    add_material_variants(variants, *job.scene);
+    add_texture_variants(variants, *job.scene);
     return variants;
 }
 

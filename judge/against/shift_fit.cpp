@@ -203,7 +203,16 @@ Explanation shifted_picture(const Samples& samples, const VariantTracer& tracer,
     const ShiftFinder finder(samples, tracer, scene, renderer);
     best.misfit = finder.misfit(best.shift.x, best.shift.y);
     const PicturePoint shift = finder.refined(best, 4e-3).shift;
-    return {shift_words(shift.x, shift.y, center_x, center_y), finder.at(shift.x, shift.y)};
+    // A program that moves its picture has nothing for what comes in over the border.
+    const View& view = tracer.view();
+    std::vector<std::uint8_t> left_out;
+    for (const PicturePoint& p : samples.points) {
+        const bool is_inside = p.x + shift.x >= 0 && p.x + shift.x <= view.width &&
+                               p.y + shift.y >= 0 && p.y + shift.y <= view.height;
+        left_out.push_back(is_inside ? 0 : 1);
+    }
+    return {shift_words(shift.x, shift.y, center_x, center_y), finder.at(shift.x, shift.y), true,
+            std::move(left_out)};
 }
 
 }  // namespace lancer::judge

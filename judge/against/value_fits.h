@@ -9,12 +9,6 @@
 
 namespace lancer::judge {
 
-/// An explanation: what to say, and what the picture would be by it.
-struct Explanation {
-    std::string words;  ///< a sentence without a full stop
-    std::vector<Color> colors;
-};
-
 /// Curves applied once too often or too seldom, another exponent, a factor for all or for single
 /// channels: those that can be fitted, the plainest first.
 std::vector<Explanation> value_fits(const Samples& samples);

@@ -220,9 +220,10 @@ void decide(Judgement& result, const Thresholds& limits) {
             result.edge_shift.x, result.edge_shift.y));
     }
     if (result.picture_shift.is_significant(limits.shift, 5)) {
-        failures.push_back(
+        result.shift_failure =
             fmt::format("the other picture is shifted by ({:.2g}, {:.2g}) pixel, {:g} allowed",
-                        result.picture_shift.x, result.picture_shift.y, limits.shift));
+                        result.picture_shift.x, result.picture_shift.y, limits.shift);
+        failures.push_back(result.shift_failure);
     }
     result.pass = failures.empty();
 }

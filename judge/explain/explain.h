@@ -71,7 +71,8 @@ struct DifferentPixel {
 struct Judgement {
     bool pass = false;
     std::vector<std::string>
-        failures;  ///< one sentence each, with the achieved value and the threshold
+        failures;               ///< one sentence each, with the achieved value and the threshold
+    std::string shift_failure;  ///< the one of them that is about `picture_shift`; may be empty
 
     std::size_t pixels = 0;
     std::size_t edge_pixels = 0;
