@@ -143,6 +143,7 @@ void explain_told_apart(DifferentPixel& pixel, const ProbeFunction& probe, const
     classify(apart, probe, limits, {});
     pixel.pixel_class = apart.pixel_class;
     pixel.offset = apart.offset;
+    pixel.is_told_apart = is_explained(apart.pixel_class);
 }
 
 /// The picture, where registration looks and differs by `least`, as the rules have it: a rule that

@@ -65,7 +65,8 @@ struct DifferentPixel {
     double difference = 0;
     Color ours{0, 0, 0};
     Color theirs{0, 0, 0};
-    Offset offset;  ///< explained: from the centre to the edge
+    Offset offset;               ///< explained: from the centre to the edge
+    bool is_told_apart = false;  ///< by what the other program has where coincident faces are not
 };
 
 struct Judgement {
