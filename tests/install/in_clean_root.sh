@@ -37,7 +37,7 @@ ok "the EXR is the PNG" user lancer compare room.png room.exr --fail 0.01 --fail
 ok "validating a scene" user lancer validate "$scenes/shapes/cylinder.lancer" --size 160x120
 for file in man/man1/lancer.1.gz man/man1/lancer-render.1.gz bash-completion/completions/lancer \
     zsh/vendor-completions/_lancer fish/vendor_completions.d/lancer.fish doc/lancer/copyright \
-    doc/lancer/docs/language.md doc/lancer/examples/bracket.lancer doc/lancer-pictures/copyright; do
+    doc/lancer/docs/language.md doc/lancer/examples/picture.mk doc/lancer/scenes/gallery/bracket.lancer doc/lancer-pictures/copyright; do
     [ -s "/usr/share/$file" ] || fail "/usr/share/$file is not there"
 done
 
