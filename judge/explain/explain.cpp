@@ -124,7 +124,10 @@ void classify(DifferentPixel& pixel, const ProbeFunction& probe, const Threshold
         // The other program follows its own rules behind an edge, too, and where it lies.
         const auto by_rules =
             find_crossing(second.by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
-        if (by_rules && (!crossing || is_rounding(*by_rules, limits))) crossing = by_rules;
+        if (by_rules && (!crossing || is_rounding(*by_rules, limits))) {
+            crossing = by_rules;
+            pixel.took_povray = true;
+        }
     }
     if (crossing) {
         pixel.pixel_class = class_of(crossing->kind);
@@ -143,7 +146,7 @@ void explain_told_apart(DifferentPixel& pixel, const ProbeFunction& probe, const
     classify(apart, probe, limits, {});
     pixel.pixel_class = apart.pixel_class;
     pixel.offset = apart.offset;
-    pixel.is_told_apart = is_explained(apart.pixel_class);
+    pixel.took_povray = is_explained(apart.pixel_class);
 }
 
 /// The picture, where registration looks and differs by `least`, as the rules have it: a rule that

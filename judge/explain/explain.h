@@ -65,8 +65,9 @@ struct DifferentPixel {
     double difference = 0;
     Color ours{0, 0, 0};
     Color theirs{0, 0, 0};
-    Offset offset;               ///< explained: from the centre to the edge
-    bool is_told_apart = false;  ///< by what the other program has where coincident faces are not
+    Offset offset;  ///< explained: from the centre to the edge
+    bool took_povray =
+        false;  ///< its class took more of POV-Ray, or of its rules, than its picture
 };
 
 struct Judgement {

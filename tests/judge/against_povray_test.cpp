@@ -82,9 +82,9 @@ TEST_F(AgainstPovRay, EveryPixelOfEverySceneHasTheSameClass) {
         ASSERT_FALSE(asked.empty()) << both.path << said(both.asked);
         ASSERT_EQ(asked.size(), as_file.size()) << both.path << said(both.as_file);
         pixels += asked.size();
-        std::set<std::size_t> is_told_apart;  // it took POV-Ray, too
+        std::set<std::size_t> took_povray;
         for (const DifferentPixel& p : both.asked.judgement.different)
-            if (p.is_told_apart) is_told_apart.insert(static_cast<std::size_t>(p.y * width + p.x));
+            if (p.took_povray) took_povray.insert(static_cast<std::size_t>(p.y * width + p.x));
         for (std::size_t i = 0; i < asked.size(); ++i) {
             different += asked[i] == PixelClass::agrees ? 0 : 1;
             // A scene whose faces coincide may show them anywhere; all else is rare.
@@ -92,7 +92,7 @@ TEST_F(AgainstPovRay, EveryPixelOfEverySceneHasTheSameClass) {
                 EXPECT_FALSE(both.asked.coincidences.empty()) << both.path;
             else
                 undecidable += needs_povray(asked[i]) ? 1 : 0;
-            if (needs_povray(asked[i]) || is_told_apart.contains(i)) continue;
+            if (needs_povray(asked[i]) || took_povray.contains(i)) continue;
             EXPECT_EQ(class_name(as_file[i]), class_name(asked[i]))
                 << both.path << " (" << i % width << ", " << i / width << ")";
         }
