@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "judge/pack/scene_json.h"
 #include "model/mesh_pieces.h"
@@ -39,8 +40,9 @@ std::string numbers_line(const char* word, std::initializer_list<double> numbers
 /// A mesh as Wavefront OBJ, with as many digits as its numbers have. Where it has no normals and
 /// asks for some, they are the averages that a renderer would make.
 std::string obj_text(const Mesh& given, bool smooth) {
-    const bool averaged = smooth && given.normals.empty();
-    const Mesh& mesh = averaged ? with_averaged_normals(given) : given;
+    std::optional<Mesh> averaged;
+    if (smooth && given.normals.empty()) averaged = with_averaged_normals(given);
+    const Mesh& mesh = averaged ? *averaged : given;
     std::string text;
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const Vec3d& v = mesh.vertices[i];

@@ -72,11 +72,15 @@ Image decode_pfm(std::string_view bytes, const std::string& name) {
     if (!excess.empty()) throw scanner.error(excess);
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                               static_cast<std::size_t>(channels);
-    // The header ends with one byte of white space, or two where a line ends with CR and LF.
+    // The header ends with one byte of white space, or two where lines end with CR and LF. Were
+    // bytes missing or left over, nobody could tell where the floats begin.
     std::string_view raster = bytes.substr(bytes.size() - scanner.bytes_left());
-    if (raster.starts_with("\r\n") && raster.size() > 4 * count + 1) raster.remove_prefix(1);
-    if (raster.size() < 1 + 4 * count) throw scanner.error("the file is truncated");
-    raster.remove_prefix(1);
+    const std::size_t ending = raster.starts_with("\r\n") ? 2 : 1;
+    if (raster.size() != ending + 4 * count)
+        throw scanner.error(raster.size() < ending + 4 * count
+                                ? "the file is truncated"
+                                : "there are bytes behind the picture");
+    raster.remove_prefix(ending);
 
     Image image(width, height, channels);
     const auto* at = reinterpret_cast<const unsigned char*>(raster.data());

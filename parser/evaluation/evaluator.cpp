@@ -33,7 +33,12 @@ std::vector<std::pair<Symbol, Value>> Evaluator::evaluate_definitions() {
         const ast::Expression expression =
             read_expression(file, context_.sources, program.symbols, program.vocabulary,
                             meter_.limits().nesting, context_.report);
-        values.emplace_back(program.symbols.intern(name), expressions_.evaluate(file, expression));
+        // It would be made in this evaluator's scene, which nobody sees.
+        if (!file.statements.empty())
+            context_.report.error(Message::definition_is_block, file.span(expression), name);
+        else
+            values.emplace_back(program.symbols.intern(name),
+                                expressions_.evaluate(file, expression));
     }
     return values;
 }

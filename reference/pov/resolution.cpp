@@ -121,8 +121,10 @@ class Solver {
 
     /// Moves those faces that move one by one.
     void move_faces(Object& object, std::uint32_t index, std::uint32_t part, double step) const {
-        for (const auto& [key, mover] : movers_) {
-            if (key.object != index || key.part != part || mover.way != Mover::Way::face) continue;
+        for (auto at = movers_.lower_bound({index, part, 0}); at != movers_.end(); ++at) {
+            const auto& [key, mover] = *at;
+            if (key.object != index || key.part != part) break;
+            if (mover.way != Mover::Way::face) continue;
             std::visit(FaceMove{map_of(key), key.face, mover.raised * step}, object.shape);
         }
     }

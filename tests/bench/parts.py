@@ -9,7 +9,8 @@
     tests/bench/parts.py LANCER drawn SCENE [SIDE]  the same of parts that are drawn, and the memory of drawing one
     tests/bench/parts.py LANCER kills [COUNT]       COUNT kills (100) at random moments over parts, frames and a sweep
 
-Times are the processor's, on one thread: they depend little on what else the machine does, unlike those of a clock.
+Times are the processor's, on one thread: they depend little on what else the machine does, unlike those of a clock, by which
+two real workers are measured.
 """
 import hashlib
 import heapq
@@ -64,11 +65,13 @@ def drawn_by(workers, scene, folder, size, count=12):
             k = waiting.pop(0)
             process = subprocess.Popen([LANCER, "render", str(scene), "--threads", "1", "-q", "--size", size, "--part",
                                         f"{k}/{count}", "-o", str(folder / f"{k}.exr")])
-            running[process.pid] = k
+            running[process.pid] = k, process
         pid, status, usage = os.wait4(-1, 0)
-        if status != 0:
-            sys.exit(f"{scene}: part {running[pid]} ended with {status}")
-        times[running.pop(pid)] = usage.ru_utime + usage.ru_stime
+        k, process = running.pop(pid)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode != 0:
+            sys.exit(f"{scene}: part {k} ended with {process.returncode}")
+        times[k] = usage.ru_utime + usage.ru_stime
     return time.monotonic() - begun, [times[k] for k in range(1, count + 1)]
 
 
@@ -82,19 +85,20 @@ def workers(seconds=60):
         folder = Path(name)
         for scene in GALLERY:
             def whole(size):
+                """By the clock, and by the processor."""
                 begun = time.monotonic()
-                run("render", scene, "--threads", 1, "-q", "--size", size, "-o", folder / "whole.png")
-                return time.monotonic() - begun
+                cost = run("render", scene, "--threads", 1, "-q", "--size", size, "-o", folder / "whole.png")[0]
+                return time.monotonic() - begun, cost
             fixed = fixed_cost(scene)
-            per_pixel = max(0.01, whole("512x384") - fixed) / (512 * 384)
-            side = 16 * round(math.sqrt((seconds - fixed) / per_pixel * 3 / 4) / 16)
+            per_pixel = max(0.01, whole("512x384")[1] - fixed) / (512 * 384)
+            side = 16 * round(math.sqrt(max(1, seconds - fixed) / per_pixel * 3 / 4) / 16)
             size = f"{4 * side // 3}x{side}"
-            one = whole(size)
+            one, one_cost = whole(size)
             two, parts = drawn_by(2, scene, folder, size)
             run("join", "-q", *[folder / f"{k}.exr" for k in range(1, 13)], "-o", folder / "joined.png")
             if (folder / "joined.png").read_bytes() != (folder / "whole.png").read_bytes():
                 sys.exit(f"{scene}: joined parts are not the whole")
-            four = one / makespan(parts, 4)
+            four = one_cost / makespan(parts, 4)
             least_two, least_four = min(least_two, one / two), min(least_four, four)
             print(f"| {scene.stem} | {size} | {fixed:.3f} | {one:.1f} | {two:.1f} | {one / two:.2f} | {four:.2f} |", flush=True)
     print(f"\nthe least: {least_two:.2f} times one worker by two, {least_four:.2f} by four")

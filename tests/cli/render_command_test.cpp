@@ -107,6 +107,11 @@ TEST_F(Render, TheCommandLineDefinesParams) {
     EXPECT_EQ(unknown.code, 2);
     EXPECT_THAT(unknown.err, HasSubstr("'size'"));
     EXPECT_EQ(render({"-D", "size=1/0"}).code, 2);
+    const Finished block = render({"-D", "size=material { color 1 }"});
+    EXPECT_EQ(block.code, 2);
+    EXPECT_THAT(block.err, HasSubstr("a material or texture stands in the script"));
+    EXPECT_EQ(render({"-D", "size=0.1", "-D", "b=[texture { checker [1, 1, 1] [0, 0, 0] }]"}).code,
+              2);
     EXPECT_EQ(render({"-D", "size"}).code, 2);
     EXPECT_EQ(render({"-D", "size="}).code, 2);
     EXPECT_EQ(render({"-D", " size = 0.2 "}).code, 0);

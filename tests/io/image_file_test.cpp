@@ -180,8 +180,8 @@ TEST(Pfm, RefusesWhatIsWrong) {
     for (const char* text :
          {"PF ", "PF 1", "PF 1 1", "PF 1 1 -1", "PF 1 1 -1\nabcdefghijk", "PF 0 1 -1\nabcdefghijkl",
           "PF 1 -1 -1\nabcdefghijkl", "PF 1 1 0\nabcdefghijkl", "PF 1 1 2.5\nabcdefghijkl",
-          "PF 1 1 nan\nabcdefghijkl", "PF 60000 60000 -1\nabc",
-          "Pf 99999999999999999999 1 -1\nabcd"}) {
+          "PF 1 1 nan\nabcdefghijkl", "PF 1 1 -1\r\nabcdefghijk", "PF 1 1 -1\nabcdefghijklm",
+          "PF 60000 60000 -1\nabc", "Pf 99999999999999999999 1 -1\nabcd"}) {
         EXPECT_THROW(decode_pfm(text, "t"), FileError) << text;
     }
 }

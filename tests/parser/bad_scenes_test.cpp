@@ -94,9 +94,10 @@ TEST(BadScenes, ThereIsOneForEveryMessage) {
     // Of the command line, or of a text too long for a repository: limits_test.cpp and
     // definitions_test.cpp have these; or of more memory than a test should take:
     // computed_lists_test.cpp. And the message that is another one's alone.
-    const std::vector<Message> elsewhere{Message::source_limit,    Message::after_definition,
-                                         Message::held_limit,      Message::unknown_definition,
-                                         Message::file_unreadable, Message::mesh_file};
+    const std::vector<Message> elsewhere{
+        Message::source_limit,       Message::after_definition,    Message::held_limit,
+        Message::unknown_definition, Message::definition_is_block, Message::file_unreadable,
+        Message::mesh_file};
     std::string all;
     for (const std::string& name : bad_scenes())
         all += io::read_file(std::string(LANCER_SOURCE_DIR) + "/scenes/bad/" + name + ".expected");
