@@ -44,7 +44,9 @@ double variance_of_mean(const Stratum& s) {
     both.add(s.earlier);
     const double mean = s.terms.mean();
     if (mean <= 0 || both.mean() <= 0) return s.terms.variance() / s.terms.count;
-    const double relative = both.variance() / (both.mean() * both.mean());
+    // The earlier ones may have been taken for the last because they were low.
+    const double relative =
+        std::max(both.variance() / (both.mean() * both.mean()), s.terms.variance() / (mean * mean));
     return mean * mean * relative / s.terms.count;
 }
 

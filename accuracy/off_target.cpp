@@ -138,7 +138,11 @@ class Search {
         plan.risky = std::move(kinds.risky);
         plan.calm_draws = draws(is_calm_ ? calm : 1, plan.calm.size());
         plan.risky_draws = draws(risky_draws, plan.risky.size());
-        plan.step = is_calm_ ? most_off(plan, pixels) + 1 : 1;
+        // A calm draw stands for those that were left out, at least.
+        plan.step = is_calm_
+                        ? std::max(most_off(plan, pixels) + 1,
+                                   static_cast<std::uint64_t>(std::ceil(1 / std::min(1.0, calm))))
+                        : 1;
         plan.number = audits_++;
         plan.threshold = goal_.threshold();
         const OffCount count = count_off(truth_, *samples_, plan);
@@ -153,8 +157,14 @@ class Search {
                              {static_cast<double>(plan.risky.size()) / pixels, plan.risky_draws},
                              plan.risky_draws + 1,
                              true};
+        // Few mostly, and many cost much to try: upwards.
         std::uint64_t most = 0;
-        std::uint64_t above = plan.risky_draws;
+        std::uint64_t above = 1;
+        while (above < plan.risky_draws && upper_share(kinds, above) <= goal_.share) {
+            most = above;
+            above *= 2;
+        }
+        above = std::min(above, plan.risky_draws);
         while (above > most + 1) {
             const std::uint64_t middle = most + (above - most) / 2;
             (upper_share(kinds, middle) <= goal_.share ? most : above) = middle;

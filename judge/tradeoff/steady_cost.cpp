@@ -118,14 +118,14 @@ SteadyCosts steady_costs(std::span<const TimedSetting> settings) {
     std::vector<double> expected;
     std::map<std::string, std::vector<double>> apart;  // logarithm of seconds over these, by way
     std::map<std::string, std::size_t> runs;
-    std::size_t rounds = 1;
+    std::size_t fewest = settings.empty() ? 1 : settings[0].seconds.size();
     for (const TimedSetting& s : settings) {
         expected.push_back(std::max(least_seconds, result.fitted.of(s)));
         apart[s.way].push_back(std::log(quiet_seconds(s) / expected.back()));
         runs[s.way] += s.seconds.size();
-        rounds = std::max(rounds, s.seconds.size());
+        fewest = std::min(fewest, s.seconds.size());
     }
-    result.noise = two_sided_95 * standard_error(noise, rounds);
+    result.noise = two_sided_95 * standard_error(noise, std::max<std::size_t>(1, fewest));
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const TimedSetting& s = settings[i];
         // A way's factor is what all its settings differ by, where they surely do.
