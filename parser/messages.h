@@ -151,7 +151,7 @@ namespace lancer {
     M(stops_order,            "the stops of a gradient must not go back: {} follows {}") \
     /* Command line */ \
     M(unknown_definition,     "-D {}: the scene has no param of this name") \
-    M(definition_is_block,    "-D {}: a material or texture stands in the script, and cannot be given here") \
+    M(definition_is_block,    "a material or texture stands in the script, and cannot be given here") \
     /* Warnings */ \
     M(template_and_block,     "'{}' is a block, too: '{}(...)' calls this template") \
     M(hides_function,         "'{}' is a function of the language, too: from here on this one is called") \

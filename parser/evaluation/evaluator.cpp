@@ -34,11 +34,12 @@ std::vector<std::pair<Symbol, Value>> Evaluator::evaluate_definitions() {
             read_expression(file, context_.sources, program.symbols, program.vocabulary,
                             meter_.limits().nesting, context_.report);
         // It would be made in this evaluator's scene, which nobody sees.
+        Value value(0.0);
         if (!file.statements.empty())
-            context_.report.error(Message::definition_is_block, file.span(expression), name);
+            context_.report.error(Message::definition_is_block, file.span(expression));
         else
-            values.emplace_back(program.symbols.intern(name),
-                                expressions_.evaluate(file, expression));
+            value = expressions_.evaluate(file, expression);
+        values.emplace_back(program.symbols.intern(name), std::move(value));
     }
     return values;
 }
