@@ -105,8 +105,8 @@ std::vector<TimedSetting> timed(double noise, unsigned seed) {
     };
     std::vector<TimedSetting> all;
     for (const bool single : {false, true})
-        for (const std::uint64_t samples : {1, 4, 9, 16, 36, 64})
-            for (const std::uint64_t depth : {1, 2, 4, 8}) {
+        for (const std::uint64_t samples : {1U, 4U, 9U, 16U, 36U, 64U})
+            for (const std::uint64_t depth : {1U, 2U, 4U, 8U}) {
                 TimedSetting s;
                 s.way = single ? "single" : "double";
                 s.levels = static_cast<int>(depth);
