@@ -139,10 +139,9 @@ class Search {
         plan.calm_draws = draws(is_calm_ ? calm : 1, plan.calm.size());
         plan.risky_draws = draws(risky_draws, plan.risky.size());
         // A calm draw stands for those that were left out, at least.
-        plan.step = is_calm_
-                        ? std::max(most_off(plan, pixels) + 1,
-                                   static_cast<std::uint64_t>(std::ceil(1 / std::min(1.0, calm))))
-                        : 1;
+        plan.step = is_calm_ ? std::max(most_off(plan, pixels) + 1,
+                                        static_cast<std::uint64_t>(std::ceil(1 / calm)))
+                             : 1;
         plan.number = audits_++;
         plan.threshold = goal_.threshold();
         const OffCount count = count_off(truth_, *samples_, plan);

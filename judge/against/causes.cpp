@@ -99,15 +99,7 @@ using Look = std::function<std::vector<Color>(const std::vector<PicturePoint>&)>
 /// more than the chance of drawing them leaves open.
 void consider_look(Best& best, const Samples& samples, std::string words, const Look& look) {
     constexpr std::size_t most_first = 400;
-    Samples few = samples;
-    few.points.clear();
-    few.theirs.clear();
-    const std::size_t step = samples.different / most_first + 1;
-    for (std::size_t i = 0; i < samples.different; i += step) {
-        few.points.push_back(samples.points[i]);
-        few.theirs.push_back(samples.theirs[i]);
-    }
-    few.different = few.points.size();
+    const Samples few = few_of(samples, most_first);
     if (effect_of(few, {"", look(few.points)}).repaired < 0.75) return;
     best.consider(Explanation{std::move(words), look(samples.points)});
 }

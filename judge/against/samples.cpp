@@ -6,6 +6,21 @@
 
 namespace lancer::judge {
 
+Samples few_of(const Samples& samples, std::size_t most) {
+    Samples few = samples;
+    few.points.clear();
+    few.ours.clear();
+    few.theirs.clear();
+    const std::size_t step = samples.different / most + 1;
+    for (std::size_t i = 0; i < samples.different; i += step) {
+        few.points.push_back(samples.points[i]);
+        few.ours.push_back(samples.ours[i]);
+        few.theirs.push_back(samples.theirs[i]);
+    }
+    few.different = few.points.size();
+    return few;
+}
+
 std::vector<Color> VariantTracer::trace(const Scene& scene) const {
     const auto renderer = compile(scene, scene.settings);
     return trace(*renderer, scene.settings, samples_.points);

@@ -22,6 +22,9 @@ struct Samples {
     bool clipped = false;  ///< theirs hold nothing above 1: ours are clipped, too
 };
 
+/// Every n-th of the points that differ, so that there are about `most`.
+Samples few_of(const Samples& samples, std::size_t most);
+
 /// Scene variants and points → light, in the units of the other picture.
 class VariantTracer {
   public:

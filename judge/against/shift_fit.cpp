@@ -24,22 +24,6 @@ constexpr int steps = 3;
 constexpr std::size_t starts = 2;         ///< the best of them are refined
 constexpr std::size_t most_points = 800;  ///< at which places are compared
 
-/// Every n-th of the points that differ.
-Samples few_of(const Samples& samples) {
-    Samples few = samples;
-    few.points.clear();
-    few.ours.clear();
-    few.theirs.clear();
-    const std::size_t step = samples.different / most_points + 1;
-    for (std::size_t i = 0; i < samples.different; i += step) {
-        few.points.push_back(samples.points[i]);
-        few.ours.push_back(samples.ours[i]);
-        few.theirs.push_back(samples.theirs[i]);
-    }
-    few.different = few.points.size();
-    return few;
-}
-
 class ShiftFinder {
   public:
     ShiftFinder(const Samples& samples, const VariantTracer& tracer, const Scene& scene,
@@ -193,7 +177,7 @@ std::vector<Explanation> turned_pictures(const Samples& samples, const VariantTr
 
 Explanation shifted_picture(const Samples& samples, const VariantTracer& tracer, const Scene& scene,
                             const Renderer& renderer, double center_x, double center_y) {
-    const Samples few = few_of(samples);
+    const Samples few = few_of(samples, most_points);
     const ShiftFinder rough(few, tracer, scene, renderer);
     ShiftFinder::Place best{{0, 0}, std::numeric_limits<double>::infinity()};
     for (const ShiftFinder::Place& place : rough.good_places()) {

@@ -189,6 +189,13 @@ def black_part(path, number, count, side):
         file.truncate(at)
 
 
+def tell_joining(names, folder, ending):
+    begun = time.monotonic()
+    cost, memory, text = run("join", *names, "-o", folder / f"poster.{ending}")
+    print(f"join to {ending}: {memory / 1e6:.0f} MB at the most, {cost:.0f} s of the processor, "
+          f"{time.monotonic() - begun:.0f} s; {text.strip()}", flush=True)
+
+
 def poster(side=32768, *endings):
     count = 32
     with tempfile.TemporaryDirectory(dir=os.environ.get("TMPDIR", "/tmp")) as folder:
@@ -206,10 +213,7 @@ def poster(side=32768, *endings):
                     sys.exit("these are no parts of a black picture")
         print(f"{count} parts of {side} x {side} pixels: {sum(n.stat().st_size for n in names) / 1e9:.1f} GB", flush=True)
         for ending in endings or ("png",):
-            begun = time.monotonic()
-            cost, memory, text = run("join", *names, "-o", folder / f"poster.{ending}")
-            print(f"join to {ending}: {memory / 1e6:.0f} MB at the most, {cost:.0f} s of the processor, "
-                  f"{time.monotonic() - begun:.0f} s; {text.strip()}", flush=True)
+            tell_joining(names, folder, ending)
             (folder / f"poster.{ending}").unlink()
 
 
@@ -223,10 +227,7 @@ def drawn(scene, side=32768, count=32):
             most, total = max(most, memory), total + cost
         print(f"{count} parts of {side} x {side} pixels: {sum(n.stat().st_size for n in names) / 1e9:.1f} GB, {most / 1e6:.0f} MB "
               f"at the most, {total:.0f} s of the processor, {time.monotonic() - begun:.0f} s", flush=True)
-        begun = time.monotonic()
-        cost, memory, text = run("join", *names, "-o", folder / "poster.png")
-        print(f"join to png: {memory / 1e6:.0f} MB at the most, {cost:.0f} s of the processor, "
-              f"{time.monotonic() - begun:.0f} s; {text.strip()}", flush=True)
+        tell_joining(names, folder, "png")
 
 
 BALL = """camera { position [0, 1, 5] look_at [0, 0, 0] }

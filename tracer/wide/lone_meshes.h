@@ -31,7 +31,7 @@ class LoneMeshQuery {
             [&](std::uint32_t index, std::uint32_t count) {
                 if (shears_.count == 0) set_shear();  // a ray that reaches no leaf does without
                 const TriangleBlock& block = mesh_.leaves[index];
-                Mask some = may_meet(block) & ((1U << count) - 1);
+                Mask some = filter_.may_meet(block) & ((1U << count) - 1);
                 if (start_face != nothing) {
                     for_each_lane(some, [&](int c) {
                         if (block.face[c] == start_face) some &= ~(1U << c);
@@ -56,11 +56,14 @@ class LoneMeshQuery {
         g.mask = 255;
         shears_.count = 1;
         const double sz = inverse[g.z];
-        sx_ = four(dir[g.x] * sz);
-        sy_ = four(dir[g.y] * sz);
-        ox_ = four(origin[g.x]);
-        oy_ = four(origin[g.y]);
-        oz_ = four(origin[g.z]);
+        filter_.x = g.x;
+        filter_.y = g.y;
+        filter_.z = g.z;
+        filter_.sx = four(dir[g.x] * sz);
+        filter_.sy = four(dir[g.y] * sz);
+        filter_.ox = four(origin[g.x]);
+        filter_.oy = four(origin[g.y]);
+        filter_.oz = four(origin[g.z]);
         const double error = ray_.error(world_error_, placed_);
         double noise = 0;
         if (!ray_.whole) {
@@ -71,34 +74,14 @@ class LoneMeshQuery {
             const double places = mesh_.reach + filter_error * (1 / gamma<double, 16>);
             noise = gamma<double, 512> * places * places;
         }
-        noise_ = four(noise);
-        shears_.sx = all(first(sx_));
-        shears_.sy = all(first(sy_));
+        filter_.noise = four(noise);
+        shears_.sx = all(first(filter_.sx));
+        shears_.sy = all(first(filter_.sy));
         shears_.sz = all(sz);
         rays_.origin = all(ray_.origin);
         rays_.origin_lo = all(ray_.origin_lo);
         rays_.origin_error = all(error);
         rays_.whole = ray_.whole ? 255 : 0;
-    }
-
-    /// may_meet() of one of eight rays
-    LANCER_INLINE Mask may_meet(const TriangleBlock& block) const {
-        const Shears::Group& g = shears_.groups[0];
-        struct Across {
-            Fours x, y;
-        };
-        const auto across = [&](int c) {
-            const Fours z = four(block.corner[c][g.z]) - oz_;
-            return Across{(four(block.corner[c][g.x]) - ox_) - sx_ * z,
-                          (four(block.corner[c][g.y]) - oy_) - sy_ * z};
-        };
-        const Across a = across(0);
-        const Across b = across(1);
-        const Across c = across(2);
-        const Fours u = c.x * b.y - c.y * b.x;
-        const Fours v = a.x * c.y - a.y * c.x;
-        const Fours w = b.x * a.y - b.y * a.x;
-        return ~(less(smaller(smaller(u, v), w), -noise_) & less(noise_, larger(larger(u, v), w)));
     }
 
     /// The triangles of the mask, side by side.
@@ -127,7 +110,7 @@ class LoneMeshQuery {
     const MeshShape& mesh_;
     const LoneRay ray_;
     const double world_error_;
-    Fours sx_, sy_, ox_, oy_, oz_, noise_;
+    LoneShear filter_;
     Shears shears_;
     Rays rays_;  ///< eight times the ray: `origin`, `origin_lo`, `origin_error` and `whole`
 };

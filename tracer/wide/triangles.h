@@ -99,31 +99,47 @@ struct TriangleCorners {
     }
 };
 
-/// Bit k: whether ray `i` may meet triangle k of the block.
+/// One ray as the filter of four triangles takes it: the axes of its Shears::Group, and numbers of
+/// which all four are alike.
+struct LoneShear {
+    int x, y, z;
+    Fours sx, sy;
+    Fours ox, oy, oz;
+    Fours noise;
+
+    /// Bit k: whether the ray may meet triangle k of the block.
+    LANCER_INLINE Mask may_meet(const TriangleBlock& block) const {
+        struct Across {
+            Fours x, y;
+        };
+        const auto across = [&](int c) {
+            const Fours height = four(block.corner[c][z]) - oz;
+            return Across{(four(block.corner[c][x]) - ox) - sx * height,
+                          (four(block.corner[c][y]) - oy) - sy * height};
+        };
+        const Across a = across(0);
+        const Across b = across(1);
+        const Across c = across(2);
+        const Fours u = c.x * b.y - c.y * b.x;
+        const Fours v = a.x * c.y - a.y * c.x;
+        const Fours w = b.x * a.y - b.y * a.x;
+        return ~(less(smaller(smaller(u, v), w), -noise) & less(noise, larger(larger(u, v), w)));
+    }
+};
+
+/// The same of ray `i`.
 LANCER_INLINE Mask may_meet(const TriangleBlock& block, const Rays& r, const Shears& s,
                             const Shears::Group& g, int i) {
-    const Fours sx = four(lane(s.sx, i));
-    const Fours sy = four(lane(s.sy, i));
-    const Fours ox = four(lane(component(r.origin, g.x), i));
-    const Fours oy = four(lane(component(r.origin, g.y), i));
-    const Fours oz = four(lane(component(r.origin, g.z), i));
-    struct Across {
-        Fours x, y;
-    };
-    const auto across = [&](int c) {
-        const Fours z = four(block.corner[c][g.z]) - oz;
-        return Across{(four(block.corner[c][g.x]) - ox) - sx * z,
-                      (four(block.corner[c][g.y]) - oy) - sy * z};
-    };
-    const Across a = across(0);
-    const Across b = across(1);
-    const Across c = across(2);
-    const Fours u = c.x * b.y - c.y * b.x;
-    const Fours v = a.x * c.y - a.y * c.x;
-    const Fours w = b.x * a.y - b.y * a.x;
-    const double noise = lane(s.noise, i);
-    return ~(less(smaller(smaller(u, v), w), four(-noise)) &
-             less(four(noise), larger(larger(u, v), w)));
+    const LoneShear shear{g.x,
+                          g.y,
+                          g.z,
+                          four(lane(s.sx, i)),
+                          four(lane(s.sy, i)),
+                          four(lane(component(r.origin, g.x), i)),
+                          four(lane(component(r.origin, g.y), i)),
+                          four(lane(component(r.origin, g.z), i)),
+                          four(lane(s.noise, i))};
+    return shear.may_meet(block);
 }
 
 struct TriangleHits {
