@@ -12,6 +12,8 @@ namespace lancer::io {
 inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 27;
 inline constexpr std::uint64_t longest_side = std::uint64_t{1} << 17;
 inline constexpr int most_channels = 64;
+/// What a reader takes at once for a strip or tile: a whole picture of most_pixels in RGB floats.
+inline constexpr std::uint64_t most_strip_bytes = std::uint64_t{1} << 31;
 
 /// Why a picture of this size is not read; empty when it is fine.
 inline std::string size_problem(std::uint64_t width, std::uint64_t height, int channels) {

@@ -19,6 +19,7 @@ struct TiffFile {
     std::uint32_t photometric = 2;  ///< 0 white is zero, 1 black is zero, 2 RGB, 3 palette, 5 CMYK
     std::uint32_t rows_per_strip = 0;  ///< 0: all of them
     std::uint32_t tile = 0;            ///< width and height of tiles; 0: strips
+    std::uint32_t claimed_tile = 0;    ///< the height that the file states, when not 0
     bool separate = false;             ///< plane by plane
     bool pack_bits = false;            ///< compressed
     std::uint32_t orientation = 0;     ///< 0: not said
@@ -115,7 +116,7 @@ struct TiffFile {
             if (!palette.empty()) tags.push_back({320, 2, palette});
             if (tile > 0) {
                 tags.push_back({322, 2, {tile}});
-                tags.push_back({323, 2, {tile}});
+                tags.push_back({323, 4, {claimed_tile > 0 ? claimed_tile : tile}});
                 tags.push_back({324, 4, places});
                 tags.push_back({325, 4, sizes});
             }

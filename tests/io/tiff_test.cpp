@@ -287,6 +287,34 @@ TEST_F(Tiff, WithAStripTooShortForItsRowsIsAnError) {
     EXPECT_THAT(error(bytes), HasSubstr("a.tif"));
 }
 
+TEST_F(Tiff, TakesNoMemoryForStripsAndTilesThatAFewBytesClaim) {
+    TiffFile file;
+    file.value = step_at;
+    file.tile = 16;
+    file.claimed_tile = 1u << 28;
+    EXPECT_THAT(error(file.bytes()), HasSubstr("tiles of 16 x 268435456 pixels"));
+    file.claimed_tile = 1u << 17;
+    file.width = 40;
+    file.samples = 64;
+    file.bits = 64;
+    file.format = 3;
+    EXPECT_THAT(error(file.bytes()), HasSubstr("a row of tiles of 3584 MiB"));
+    file.tile = 0;
+    file.pack_bits = true;
+    file.height = 1;
+    file.rows_per_strip = 1;
+    file.value = [](auto, auto, auto) { return 0; };
+    std::string bytes = file.bytes();
+    const auto claim = [&](const std::string& tag, const std::string& value) {
+        const std::size_t at = bytes.find(tag);
+        ASSERT_NE(at, std::string::npos);
+        bytes.replace(at + 8, 4, value);
+    };
+    claim(std::string("\x01\x01\x04\0\x01\0\0\0", 8), std::string("\0\0\x02\0", 4));
+    claim(std::string("\x16\x01\x04\0\x01\0\0\0", 8), std::string("\0\0\x02\0", 4));
+    EXPECT_THAT(error(bytes), HasSubstr("a strip of 2560 MiB"));
+}
+
 TEST_F(Tiff, RefusesWhatHasNoMeaningHere) {
     TiffFile file;
     file.value = step_at;

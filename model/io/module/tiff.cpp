@@ -139,6 +139,31 @@ void check_extents(TIFF* file, std::size_t file_size) {
     }
 }
 
+/// Strips and tiles are decoded as wholes, and a few bytes may claim any size for them.
+void check_strip_size(TIFF* file, const TiffLayout& layout) {
+    std::uint64_t columns = layout.width;
+    std::uint64_t rows = field<std::uint32_t>(file, TIFFTAG_ROWSPERSTRIP, layout.height);
+    rows = std::min<std::uint64_t>(rows, layout.height);
+    const bool tiled = TIFFIsTiled(file) != 0;
+    if (tiled) {
+        const auto width = field<std::uint32_t>(file, TIFFTAG_TILEWIDTH, 0);
+        rows = field<std::uint32_t>(file, TIFFTAG_TILELENGTH, 0);
+        if (width > longest_side || rows > longest_side) {
+            throw TiffError(
+                fmt::format("tiles of {} x {} pixels: a side is longer than the {} allowed", width,
+                            rows, longest_side));
+        }
+        columns += width;  // a tile, and the rows of the picture that a row of tiles fills
+    }
+    // At most 2^18 x 2^17 pixels of 64 samples of 2^16 bits: no overflow.
+    const std::uint64_t bytes = (columns * layout.samples * layout.bits + 7) / 8 * rows;
+    if (bytes > most_strip_bytes) {
+        throw TiffError(fmt::format("{} of {} MiB: more than the {} MiB that are read at once",
+                                    tiled ? "a row of tiles" : "a strip", bytes >> 20,
+                                    most_strip_bytes >> 20));
+    }
+}
+
 // ---- Pixels as libtiff hands them over ----
 
 /// The raw rows of one plane: all samples of a pixel, or one of them.
@@ -295,6 +320,7 @@ void read_converted(TIFF* file, const TiffLayout& layout, PictureSink& sink) {
 void read_file(TIFF* file, std::size_t file_size, PictureSink& sink) {
     TiffLayout layout = layout_of(file);
     check_extents(file, file_size);
+    check_strip_size(file, layout);
     const auto compression = field<std::uint16_t>(file, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
     if (TIFFIsCODECConfigured(compression) == 0)
         throw TiffError(fmt::format("its compression ({}) is not supported", compression));
