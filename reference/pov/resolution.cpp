@@ -10,6 +10,7 @@
 #include "model/bodies.h"
 #include "reference/pov/composites.h"
 #include "reference/pov/export_scale.h"
+#include "reference/pov/face_moves.h"
 
 namespace lancer::reference::pov {
 
@@ -43,51 +44,6 @@ Key key_of(const Face& face) {
     return {face.object, face.part, face.index};
 }
 
-/// Moves a face of a shape outwards, by so much in the world.
-struct FaceMove {
-    const Affine<double>& to_world;
-    std::uint32_t face;
-    double by;
-
-    /// The same along an axis of the shape's own space.
-    double along(const Vec3d& axis) const {
-        return by * length(map_transposed(inverse(to_world), axis));
-    }
-
-    void operator()(Box& box) const {
-        const int axis = static_cast<int>(face / 2);
-        Vec3d unit(0.0);
-        unit[axis] = 1;
-        (face % 2 == 0 ? box.min : box.max)[axis] += (face % 2 == 0 ? -1 : 1) * along(unit);
-    }
-    void operator()(Cylinder& s) const {
-        Cone cone{s.base, s.top, s.radius, s.radius, s.capped};
-        (*this)(cone);
-        s = {cone.base, cone.top, cone.base_radius, s.capped};
-    }
-    /// The side keeps its place when an end moves. It is known where the map is a similarity.
-    void operator()(Cone& s) const {
-        const Vec3d axis = normalize(s.top - s.base);
-        const double slope = (s.top_radius - s.base_radius) / length(s.top - s.base);
-        if (face == 0) {
-            const double wider =
-                by / length(map_vector(to_world, Vec3d(1, 0, 0))) * std::sqrt(1 + slope * slope);
-            s.base_radius += wider;
-            s.top_radius += wider;
-            return;
-        }
-        const double longer = along(axis);
-        if (face == 1) {
-            s.base = s.base - longer * axis;
-            s.base_radius = std::max(0.0, s.base_radius - slope * longer);
-        } else {
-            s.top = s.top + longer * axis;
-            s.top_radius = std::max(0.0, s.top_radius + slope * longer);
-        }
-    }
-    void operator()(auto&) const {}
-};
-
 class Solver {
   public:
     Solver(const Scene& scene, const std::vector<FacePair>& pairs) : scene_(scene), pairs_(pairs) {
@@ -119,14 +75,18 @@ class Solver {
         return asks_for_nothing(pair) || lacking(pair) <= 1e-6;
     }
 
-    /// Moves those faces that move one by one.
-    void move_faces(Object& object, std::uint32_t index, std::uint32_t part, double step) const {
+    /// Moves those faces that move one by one. Where nothing is left between two, all stay: false.
+    bool move_faces(Object& object, std::uint32_t index, std::uint32_t part, double step) const {
+        const Shape before = object.shape;
         for (auto at = movers_.lower_bound({index, part, 0}); at != movers_.end(); ++at) {
             const auto& [key, mover] = *at;
             if (key.object != index || key.part != part) break;
             if (mover.way != Mover::Way::face) continue;
             std::visit(FaceMove{map_of(key), key.face, mover.raised * step}, object.shape);
         }
+        if (std::visit(HasThickness{before}, object.shape)) return true;
+        object.shape = before;
+        return false;
     }
 
     /// The object's transform, moved.
@@ -271,8 +231,9 @@ ResolvedScene resolved(const Scene& scene, const std::vector<FacePair>& pairs, d
     ResolvedScene result{scene, groups_of(pairs, scene.objects.size()), pairs};
     Solver solver(scene, pairs);
     solver.solve();
+    std::vector<Key> too_thin;
     const auto move = [&](Object& object, std::uint32_t index, std::uint32_t part) {
-        solver.move_faces(object, index, part, step);
+        if (!solver.move_faces(object, index, part, step)) too_thin.push_back({index, part, none});
         const auto transform = solver.moved_transform(index, part, step);
         if (!transform) return;
         object.transform = static_cast<std::uint32_t>(result.scene.transforms.size());
@@ -285,8 +246,14 @@ ResolvedScene resolved(const Scene& scene, const std::vector<FacePair>& pairs, d
         std::vector<Composite::Leaf>& leaves = result.scene.composites[ref->composite].leaves;
         for (std::uint32_t k = 0; k < leaves.size(); ++k) move(leaves[k].object, i, k);
     }
-    for (FacePair& pair : result.pairs)
-        if (!solver.holds(pair)) pair.resolution = Resolution::none;
+    const auto stayed = [&](const Face& face) {
+        return std::find(too_thin.begin(), too_thin.end(), Key{face.object, face.part, none}) !=
+               too_thin.end();
+    };
+    for (FacePair& pair : result.pairs) {
+        const bool stays = !asks_for_nothing(pair) && (stayed(pair.front) || stayed(pair.back));
+        if (stays || !solver.holds(pair)) pair.resolution = Resolution::none;
+    }
     return result;
 }
 

@@ -131,6 +131,33 @@ TEST(Resolution, SinksAClearBodyIntoWhatItStandsOn) {
     EXPECT_EQ(bottom_of(scene, 1), 0) << "opaque on opaque asks for nothing";
 }
 
+TEST(Resolution, LeavesABodyThinnerThanAStepAlone) {
+    // A bent sheet in front cannot move, so the faces that it covers move inwards.
+    const auto told_of = [](Shape covered) {
+        Scene scene = empty_scene();
+        Mesh sheet;
+        sheet.vertices = {{0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, {5, 0, 0}, {5, 1, 0}, {5, 0, 1}};
+        sheet.faces = {{0, 1, 2}, {3, 4, 5}};
+        scene.meshes.push_back(std::make_shared<const Mesh>(std::move(sheet)));
+        add_object(scene, MeshRef{0});
+        add_object(scene, std::move(covered));
+        add_object(scene, Box{{4, 0, 0}, {5, 1, 1}});
+        return pov::resolved(scene, pov::face_pairs(scene), 0.001);
+    };
+    const auto thick = told_of(Box{{-1, 0, -1}, {1, 0.005, 1}});
+    EXPECT_TRUE(all_are_told(thick));
+    EXPECT_NEAR(std::get<Box>(thick.scene.objects[1].shape).min.y, 0.001, 1e-9);
+    const auto thin = told_of(Box{{-1, 0, -1}, {1, 0.0005, 1}});
+    EXPECT_EQ(std::get<Box>(thin.scene.objects[1].shape).min.y, 0);
+    EXPECT_FALSE(all_are_told(thin));
+    const auto disc = told_of(Cylinder{{0, 0, 0}, {0, 0.0005, 0}, 1});
+    EXPECT_EQ(std::get<Cylinder>(disc.scene.objects[1].shape).base.y, 0);
+    EXPECT_FALSE(all_are_told(disc));
+    const auto cone = told_of(Cone{{0, 0, 0}, {0, 0.0005, 0}, 1, 0.5});
+    EXPECT_EQ(std::get<Cone>(cone.scene.objects[1].shape).base.y, 0);
+    EXPECT_FALSE(all_are_told(cone));
+}
+
 TEST(Resolution, MovesTheTableWhereTheBodyCannotGrow) {
     // Growing a tumbler about its middle would draw its inner wall away from the water.
     Scene scene = empty_scene();
