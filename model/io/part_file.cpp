@@ -44,9 +44,10 @@ void write_part(const std::string& path, const PartHead& head,
         Sha256 digest;
         digest.add(sealed_text(head));
         int index = 0;
+        std::string bytes;
         for (const Strip& strip : strips_of(head)) {
             const Image image = draw(strip);
-            std::string bytes;
+            bytes.clear();
             for (int y = 0; y < strip.rows; ++y) {
                 bytes += row_head(head, index, strip.first + y);
                 const std::size_t begin = bytes.size();

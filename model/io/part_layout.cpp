@@ -241,14 +241,21 @@ std::optional<ToldHead> told_head(std::string_view begin) {
 
 void encode_row(const PartHead& head, const double* pixels, std::string& bytes) {
     const int channels = head.channels();
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + static_cast<std::size_t>(head.width) * pixel_bytes(head));
+    char* to = bytes.data() + begin;
+    const auto put_next = [&to](auto number) {
+        std::memcpy(to, &number, sizeof number);
+        to += sizeof number;
+    };
     for (const Channel& channel : channels_of(head)) {
         const double* value = pixels + channel.source;
         for (int x = 0; x < head.width; ++x, value += channels) {
             const auto rounded = static_cast<float>(*value);
             if (channel.exact) {
-                put(bytes, beyond(*value, rounded));
+                put_next(beyond(*value, rounded));
             } else {
-                put(bytes, rounded);
+                put_next(rounded);
             }
         }
     }

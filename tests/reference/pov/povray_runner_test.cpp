@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "base/sha256.h"
+#include "base/sha256_blocks.h"
 #include "model/diagnostic.h"
 #include "model/io/png_file.h"
 #include "model/io/temporary_file.h"
@@ -281,6 +283,23 @@ TEST(CacheFolder, IsTheVariableElseTheDesktopsElseHome) {
 }
 
 // Examples of FIPS 180-4 as published by NIST.
+TEST(Sha256, IsTheSameByInstructionsOfTheProcessor) {
+    if (!has_sha_instructions()) GTEST_SKIP() << "this processor has none";
+    std::mt19937 random(1);
+    std::string blocks(5 * 64, '\0');
+    for (int round = 0; round < 100; ++round) {
+        for (char& c : blocks) c = static_cast<char>(random());
+        Sha256State plain{1, 2, 3, 4, 5, 6, 7, 8};
+        Sha256State fast = plain;
+        absorb_plainly(plain, blocks.data(), 5);
+        absorb_by_instructions(fast, blocks.data(), 5);
+        ASSERT_EQ(plain, fast);
+        absorb(plain, blocks.data() + 3, 4);
+        absorb_plainly(fast, blocks.data() + 3, 4);
+        ASSERT_EQ(plain, fast);
+    }
+}
+
 TEST(Sha256, GivesThePublishedDigests) {
     EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
