@@ -174,13 +174,21 @@ class RayTreeText {
                                 light.distance, light.cosine, outcome(light)));
         for (const RayTree::Loss& loss : light.losses) tell(loss, depth + 1);
     }
-    static std::string outcome(const RayTree::Light& light) {
+    /// The colour that is sent here, and what `fade` and `spot` left of the light's own.
+    std::string sent_words(const RayTree::Light& light) const {
+        const Color& own = scene_.lights[light.light].color;
+        const double whole = max_component(own);
+        const double left = max_component(light.sent) / whole;
+        if (light.sent == own || !(whole > 0)) return in_words(light.sent);
+        return fmt::format("{} ({:.6g} of its color, by fade and spot)", in_words(light.sent),
+                           left);
+    }
+    std::string outcome(const RayTree::Light& light) const {
         if (!light.asked)
             return light.cosine > 0 ? "the material answers no light" : "it is behind the surface";
         if (is_black(light.sent)) return "it sends nothing here";
-        if (is_black(light.share))
-            return fmt::format("{} is lost on the way", in_words(light.sent));
-        return fmt::format("of {} arrives {}, adds {}", in_words(light.sent),
+        if (is_black(light.share)) return sent_words(light) + " is lost on the way";
+        return fmt::format("of {} arrives {}, adds {}", sent_words(light),
                            light.share == Color(1) ? "all" : in_words(light.share),
                            in_words(light.added));
     }

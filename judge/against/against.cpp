@@ -114,6 +114,11 @@ const DifferentPixel& worst_unexplained(const Judgement& judgement) {
                              });
 }
 
+std::string values_at(const Image& image, const DifferentPixel& p) {
+    const double* v = image.pixel(p.x, p.y);
+    return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v[0], v[1], v[2]);
+}
+
 void tell_where(Validation& result, const ValidationJob& job, const ProbeFunction& probe) {
     const std::size_t unexplained = result.judgement.count(PixelClass::unexplained);
     if (unexplained == 0) return;
@@ -124,13 +129,19 @@ void tell_where(Validation& result, const ValidationJob& job, const ProbeFunctio
     }
     const DifferentPixel& worst = worst_unexplained(result.judgement);
     result.reasons.push_back(
-        fmt::format("the worst, {:.2g} off, is {},{}; what its ray does: lancer probe {} {},{} "
-                    "--size {}x{} --samples 1 --min-contribution 0",
-                    worst.difference, worst.x, worst.y, job.scene_words, worst.x, worst.y,
+        fmt::format("the worst, {:.2g} off, is {},{}: {}, and {} in Lancer's picture; what its ray "
+                    "does: lancer probe {} {},{} --size {}x{} --samples 1 --min-contribution 0",
+                    worst.difference, worst.x, worst.y, values_at(result.theirs, worst),
+                    values_at(result.ours, worst), job.scene_words, worst.x, worst.y,
                     job.view.width, job.view.height));
-    result.reasons.emplace_back(
-        "whether some of them are coincident surfaces, reference outliers or known differences of "
-        "POV-Ray's is not decidable from a picture");
+    if (!result.cause) {
+        result.reasons.emplace_back(
+            "no single cause that is tried makes all of it: docs/validation.md lists these, and "
+            "the mistakes that cannot be tried");
+        result.reasons.emplace_back(
+            "whether some of them are coincident surfaces, reference outliers or known differences "
+            "of POV-Ray's is not decidable from a picture");
+    }
     for (const reference::Coincidence& c : undecidable(job)) {
         result.reasons.push_back(fmt::format(
             "faces of {} and {} lie in one place: where they are seen it is not decidable from a "
@@ -170,10 +181,10 @@ void judge(Validation& result, const AgainstJob& job) {
     result.verdict = result.judgement.pass ? Verdict::agrees : Verdict::differs;
     result.reasons = result.judgement.failures;
     if (!result.judgement.pass) {
-        tell_where(result, scene, ours.probe);
         const auto cause = likely_cause(scene, result.ours, result.theirs, result.judgement,
                                         reading, clipped, ours.probe);
         if (cause) result.cause = cause->words;
+        tell_where(result, scene, ours.probe);
         const bool is_shifted =
             cause ? cause->is_shift
                   : shift_brings_nearer(result.ours, result.theirs, result.judgement, ours.probe);

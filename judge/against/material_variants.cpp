@@ -14,6 +14,12 @@ bool is_clear(const Material& m) {
 bool is_glossy(const Material& m) {
     return m.phong > 0 || m.blinn > 0;
 }
+bool has_phong(const Material& m) {
+    return m.phong > 0;
+}
+bool has_blinn(const Material& m) {
+    return m.blinn > 0;
+}
 bool is_mirror(const Material& m) {
     return max_component(m.reflection) > 0;
 }
@@ -24,10 +30,14 @@ class Changes {
     Changes(std::vector<SceneVariant>& variants, const Scene& scene)
         : variants_(variants), scene_(scene) {}
 
+    template <class Which>
+    bool has(const Which& which) const {
+        return std::any_of(scene_.materials.begin(), scene_.materials.end(), which);
+    }
+
     template <class Which, class Change>
     void add(std::string words, const Which& which, const Change& change) {
-        const auto& all = scene_.materials;
-        if (std::none_of(all.begin(), all.end(), which)) return;
+        if (!has(which)) return;
         variants_.push_back({std::move(words), [which, change](Scene& scene) {
                                  for (Material& material : scene.materials)
                                      if (which(material)) change(material);
@@ -42,12 +52,16 @@ class Changes {
 void add_highlights(Changes& changes) {
     changes.add("there are no highlights", is_glossy,
                 [](Material& m) { m.phong = m.blinn = m.phong_transmission = 0; });
-    const auto add_exponent = [&](const char* words, double factor) {
-        changes.add(std::string("the exponents of highlights are ") + words, is_glossy,
-                    [factor](Material& m) {
-                        m.shininess *= factor;
-                        m.roughness /= factor;
-                    });
+    const auto add_exponent = [&](const std::string& words, double factor) {
+        const auto change_phong = [factor](Material& m) { m.shininess *= factor; };
+        const auto change_blinn = [factor](Material& m) { m.roughness /= factor; };
+        changes.add("the exponents of highlights are " + words, is_glossy, [=](Material& m) {
+            change_phong(m);
+            change_blinn(m);
+        });
+        if (!changes.has(has_phong) || !changes.has(has_blinn)) return;
+        changes.add("the exponents of phong highlights are " + words, has_phong, change_phong);
+        changes.add("the exponents of blinn highlights are " + words, has_blinn, change_blinn);
     };
     add_exponent("twice the scene's: highlights are too small", 2);
     add_exponent("half of the scene's: highlights are too wide", 0.5);

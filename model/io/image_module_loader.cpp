@@ -37,8 +37,8 @@ const ImageModule& load() {
                  " is missing (Debian: apt-get install lancer-pictures)";
     }
     throw FileError(fmt::format(
-        "only PNG and PPM pictures can be read and written: the module for others cannot be "
-        "loaded: {}",
+        "only PNG and PPM pictures can be read and written, and PFM be read: the module for others "
+        "cannot be loaded: {}",
         reason));
 }
 

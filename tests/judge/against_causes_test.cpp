@@ -170,6 +170,10 @@ TEST_F(AgainstCauses, Highlights) {
             {"there are no highlights", in_materials([](Material& m) { m.phong = m.blinn = 0; })},
             {"the exponents of highlights are twice", exponents(2)},
             {"the exponents of highlights are half", exponents(0.5)},
+            {"the exponents of phong highlights are half",
+             in_materials([](Material& m) { m.shininess *= 0.5; })},
+            {"the exponents of blinn highlights are twice",
+             in_materials([](Material& m) { m.roughness /= 2; })},
             {"phong highlights are by the half vector", in_materials([](Material& m) {
                  if (m.phong == 0) return;
                  m.blinn = m.phong;

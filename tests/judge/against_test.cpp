@@ -261,6 +261,7 @@ TEST_F(Against, SaysWhichObjectsDiffer) {
     const Validation v = judged(drawn.scene(), rendered(other));
     EXPECT_EQ(v.verdict, Verdict::differs);
     EXPECT_THAT(said(v), HasSubstr("of them show object 3"));
+    EXPECT_THAT(said(v), HasSubstr("no single cause that is tried"));
     EXPECT_THAT(said(v), HasSubstr("is not decidable from a picture"));
     const std::string json = validations_to_json({v}, "");
     EXPECT_THAT(json, HasSubstr("not_decidable_from_a_picture"));

@@ -1,6 +1,7 @@
 """Every scene of the collection in one pack; and a pack that goes on past scenes that are wrong.
 pack_all_test.py LANCER"""
 import json
+import math
 import pathlib
 import re
 import struct
@@ -51,6 +52,13 @@ def check(folder, readme):
             off = abs(seen - probe["color"][c])
             assert off <= bound["error"] + probe["color_error"][c] + 1.01 * bound["relative_error"] * abs(seen) + 1e-45, \
                 f"{folder.name}: {probe} but {seen}"
+    objects, depths, normals = (read_pfm(folder / f"{name}.pfm")[0] for name in ("object", "depth", "normal"))
+    for probe in scene["probes"]:
+        x, y, nothing = probe["x"], probe["y"], probe["object"] is None
+        assert objects[y][x] == (-1 if nothing else probe["object"]), f"{folder.name}: {probe} but object {objects[y][x]}"
+        assert math.isclose(depths[y][x], 0 if nothing else probe["depth"], rel_tol=1e-6), f"{folder.name}: {probe}"
+        for c in range(3):
+            assert abs(normals[y][3 * x + c] - (0 if nothing else probe["normal"][c])) < 1e-6, f"{folder.name}: {probe}"
     return len(scene["probes"])
 
 
