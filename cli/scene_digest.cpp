@@ -1,14 +1,16 @@
 #include "cli/scene_digest.h"
 
+#include <string_view>
 #include <type_traits>
 
 #include "base/sha256.h"
+#include "model/shape_facts.h"
 
 namespace lancer::cli {
 namespace {
 
-/// Every struct is taken apart by a structured binding, which names all members: one that is added
-/// does not compile until it is told here.
+/// Every struct is taken apart by a structured binding, here or in fields(), which names all
+/// members: one that is added does not compile until it is told here.
 class SceneDigest {
   public:
     std::string digits() {
@@ -59,57 +61,12 @@ class SceneDigest {
         const auto& [rows, shift] = s;
         all(rows, shift);
     }
-    void add(const Sphere& s) {
-        const auto& [center, radius] = s;
-        all(center, radius);
-    }
-    void add(const Box& s) {
-        const auto& [min, max] = s;
-        all(min, max);
-    }
-    void add(const Cylinder& s) {
-        const auto& [base, top, radius, capped] = s;
-        all(base, top, radius, capped);
-    }
-    void add(const Cone& s) {
-        const auto& [base, top, base_radius, top_radius, capped] = s;
-        all(base, top, base_radius, top_radius, capped);
-    }
-    void add(const Torus& s) {
-        const auto& [radius, tube] = s;
-        all(radius, tube);
-    }
-    void add(const Plane& s) {
-        const auto& [normal, offset] = s;
-        all(normal, offset);
-    }
-    void add(const Triangle& s) {
-        const auto& [points, attributes] = s;
-        all(points, attributes);
+    void add(const OneShape auto& shape) {
+        fields(shape, [this](std::string_view, const auto& value) { add(value); });
     }
     void add(const TriangleAttributes& s) {
         const auto& [normals, uvs] = s;
         all(normals, uvs);
-    }
-    void add(const MeshRef& s) {
-        const auto& [mesh, smooth, inside] = s;
-        all(mesh, smooth, inside);
-    }
-    void add(const PatchRef& s) {
-        const auto& [patch] = s;
-        all(patch);
-    }
-    void add(const LatheRef& s) {
-        const auto& [lathe] = s;
-        all(lathe);
-    }
-    void add(const PrismRef& s) {
-        const auto& [prism] = s;
-        all(prism);
-    }
-    void add(const CompositeRef& s) {
-        const auto& [composite] = s;
-        all(composite);
     }
     void add(const Mesh& s) {
         const auto& [vertices, faces, normals, normal_faces, uvs, uv_faces, colors] = s;

@@ -7,44 +7,30 @@
 
 #include "cli/scene_words.h"
 #include "model/parts.h"
+#include "model/shape_facts.h"
 
 namespace lancer::cli {
 namespace {
 
-template <class Things, class IndexOf, std::size_t N>
-std::vector<Count> count_kinds(const Things& things, IndexOf index_of,
-                               const std::array<std::string_view, N>& names) {
-    std::array<std::uint64_t, N> numbers{};
-    for (const auto& thing : things) ++numbers[index_of(thing)];
-    std::vector<Count> counts;
-    for (std::size_t i = 0; i < N; ++i) {
-        if (numbers[i] > 0) counts.push_back({names[i], numbers[i]});
+/// Counts kinds of things, in the order of their variant's alternatives.
+template <class Kinds>
+class Counter {
+  public:
+    void add(const Kinds& thing, std::string_view name) {
+        Count& count = counts_[thing.index()];
+        count.kind = name;
+        ++count.number;
     }
-    return counts;
-}
+    /// Of the kinds that occur.
+    std::vector<Count> found() const {
+        std::vector<Count> found;
+        for (const Count& count : counts_)
+            if (count.number > 0) found.push_back(count);
+        return found;
+    }
 
-struct TrianglesOf {
-    const Scene& scene;
-
-    std::uint64_t operator()(const Sphere&) const { return 0; }
-    std::uint64_t operator()(const Box&) const { return 0; }
-    std::uint64_t operator()(const Plane&) const { return 0; }
-    std::uint64_t operator()(const Cylinder&) const { return 0; }
-    std::uint64_t operator()(const Cone&) const { return 0; }
-    std::uint64_t operator()(const Torus&) const { return 0; }
-    std::uint64_t operator()(const Triangle&) const { return 1; }
-    std::uint64_t operator()(const MeshRef& ref) const {
-        return scene.meshes[ref.mesh]->faces.size();
-    }
-    std::uint64_t operator()(const PatchRef&) const { return 0; }
-    std::uint64_t operator()(const LatheRef&) const { return 0; }
-    std::uint64_t operator()(const PrismRef&) const { return 0; }
-    std::uint64_t operator()(const CompositeRef& ref) const {
-        std::uint64_t sum = 0;
-        for (const Composite::Leaf& leaf : scene.composites[ref.composite].leaves)
-            sum += std::visit(*this, leaf.object.shape);
-        return sum;
-    }
+  private:
+    std::array<Count, std::variant_size_v<Kinds>> counts_{};
 };
 
 /// Who asks: a shape with its name and its material's, or a light.
@@ -59,16 +45,19 @@ std::string describe_demand(const Scene& scene, const Demand& demand) {
 
 SceneSummary summarize(const Scene& scene, const SourceMap& sources) {
     SceneSummary summary;
-    summary.shapes = count_kinds(
-        scene.objects, [](const Object& object) { return object.shape.index(); }, shape_names);
-    summary.lights = count_kinds(
-        scene.lights, [](const Light& light) { return light.kind.index(); }, light_names);
+    Counter<LightKind> lights;
+    for (const Light& light : scene.lights) lights.add(light.kind, light_names[light.kind.index()]);
+    summary.lights = lights.found();
+    Counter<Shape> shapes;
     std::set<std::uint32_t> materials;
     for (const Object& object : scene.objects) {
-        summary.triangles += std::visit(TrianglesOf{scene}, object.shape);
+        const ShapeFacts facts = facts_of(scene, object.shape);
+        shapes.add(object.shape, facts.name);
+        summary.triangles += facts.triangles;
         materials.insert(object.material);
         for_each_part(scene, object, [&](const Object& part) { materials.insert(part.material); });
     }
+    summary.shapes = shapes.found();
     summary.meshes = scene.meshes.size();
     summary.materials = materials.size();
     summary.textures = scene.textures.size();

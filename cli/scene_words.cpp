@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "model/shape_facts.h"
+
 namespace lancer::cli {
 
 std::string describe(const Scene& scene, const Object& object) {
-    std::string text(shape_names[object.shape.index()]);
+    std::string text(facts_of(scene, object.shape).name);
     if (object.name != none) text += fmt::format(" \"{}\"", scene.names[object.name]);
     return text;
 }

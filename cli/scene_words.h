@@ -10,10 +10,7 @@
 
 namespace lancer::cli {
 
-// In the order of the variants' alternatives.
-inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
-    "sphere",   "box",  "cylinder", "cone",  "torus", "plane",
-    "triangle", "mesh", "patch",    "lathe", "prism", "composite"};
+// In the order of the variant's alternatives.
 inline constexpr std::array<std::string_view, std::variant_size_v<LightKind>> light_names{
     "point light", "directional light", "spot light"};
 

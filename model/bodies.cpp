@@ -5,36 +5,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "model/splines.h"
+#include "model/shape_facts.h"
 
 namespace lancer {
-namespace {
-
-struct HasInside {
-    const Scene& scene;
-
-    bool operator()(const Sphere&) const { return true; }
-    bool operator()(const Box&) const { return true; }
-    bool operator()(const Plane&) const { return true; }
-    bool operator()(const Cylinder& cylinder) const { return cylinder.capped; }
-    bool operator()(const Cone& cone) const { return cone.capped; }
-    bool operator()(const Torus&) const { return true; }
-    bool operator()(const Triangle&) const { return false; }
-    bool operator()(const MeshRef& ref) const {
-        return ref.inside == Inside::if_closed ? is_closed(*scene.meshes[ref.mesh])
-                                               : ref.inside == Inside::always;
-    }
-    bool operator()(const PatchRef&) const { return false; }
-    bool operator()(const LatheRef& ref) const {
-        const Lathe& lathe = scene.lathes[ref.lathe];
-        return encloses_space(profile_curve(lathe.spline, lathe.profile));
-    }
-    bool operator()(const PrismRef& ref) const { return scene.prisms[ref.prism].capped; }
-    bool operator()(const CompositeRef&) const { return true; }
-};
-
-}  // namespace
-
 std::vector<std::uint32_t> first_at_same_place(const std::vector<Vec3d>& vertices) {
     const auto key = [&vertices](std::uint32_t i) {
         const Vec3d& v = vertices[i];
@@ -72,7 +45,8 @@ bool is_closed(const Mesh& mesh) {
 }
 
 bool is_body(const Scene& scene, const Shape& shape) {
-    return std::visit(HasInside{scene}, shape);
+    const ShapeFacts facts = facts_of(scene, shape);
+    return facts.inside ? *facts.inside : is_closed(*scene.meshes[std::get<MeshRef>(shape).mesh]);
 }
 
 bool Bodies::holds(const Shape& shape) {

@@ -4,6 +4,7 @@
 
 #include "model/bodies.h"
 #include "model/parts.h"
+#include "model/shape_facts.h"
 
 namespace lancer {
 namespace {
@@ -31,45 +32,6 @@ constexpr std::array<Words, feature_count> words{{
     {"light from behind", "lights behind a surface that shine through it"},
 }};
 
-/// What a shape is to the renderer.
-struct Kind {
-    bool mesh = false;
-    bool spline = false;
-    bool interpolates = false;  ///< has normals to interpolate
-};
-
-struct KindOf {
-    const Scene& scene;
-
-    Kind operator()(const Sphere&) const { return {}; }
-    Kind operator()(const Box&) const { return {}; }
-    Kind operator()(const Plane&) const { return {}; }
-    Kind operator()(const Cylinder&) const { return {}; }
-    Kind operator()(const Cone&) const { return {}; }
-    Kind operator()(const Torus&) const { return {}; }
-    Kind operator()(const Triangle& t) const {
-        const bool normals =
-            t.attributes != none && scene.triangle_attributes[t.attributes].normals.has_value();
-        return {.interpolates = normals};
-    }
-    Kind operator()(const MeshRef& mesh) const {
-        return {.mesh = true, .interpolates = mesh.smooth};
-    }
-    Kind operator()(const PatchRef&) const { return {.spline = true, .interpolates = true}; }
-    Kind operator()(const LatheRef&) const { return {.spline = true}; }
-    Kind operator()(const PrismRef&) const { return {.spline = true}; }
-    Kind operator()(const CompositeRef& ref) const {
-        Kind all;
-        for (const Composite::Leaf& leaf : scene.composites[ref.composite].leaves) {
-            const Kind kind = std::visit(*this, leaf.object.shape);
-            all.mesh = all.mesh || kind.mesh;
-            all.spline = all.spline || kind.spline;
-            all.interpolates = all.interpolates || kind.interpolates;
-        }
-        return all;
-    }
-};
-
 class Collector {
   public:
     Collector(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
@@ -87,10 +49,10 @@ class Collector {
 
   private:
     void add_shape(const Object& object, const Demand& demand) {
-        const Kind kind = std::visit(KindOf{scene_}, object.shape);
-        if (kind.mesh) found_.add(Feature::meshes, demand);
-        if (kind.spline) found_.add(Feature::splines, demand);
-        if (settings_.smooth && kind.interpolates) found_.add(Feature::smooth_normals, demand);
+        const ShapeFacts facts = facts_of(scene_, object.shape);
+        if (facts.mesh) found_.add(Feature::meshes, demand);
+        if (facts.spline) found_.add(Feature::splines, demand);
+        if (settings_.smooth && facts.interpolates) found_.add(Feature::smooth_normals, demand);
     }
 
     void add_surface(const Object& object, const Demand& demand) {

@@ -2,8 +2,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
+#include "model/shape_facts.h"
 #include "parser/report.h"
 #include "parser/scene_builder.h"
 
@@ -23,46 +23,6 @@ std::string_view word_of(const std::optional<Composite::Kind>& joint) {
     return "";
 }
 
-struct Sheet {
-    std::string_view what;
-    std::string_view hint;  ///< how it may get an inside
-};
-
-/// What is said of a shape without an inside.
-struct SheetOf {
-    static constexpr std::string_view capped = "'capped true' closes it";
-
-    Sheet operator()(const Cylinder&) const { return {"a cylinder without caps", capped}; }
-    Sheet operator()(const Cone&) const { return {"a cone without caps", capped}; }
-    Sheet operator()(const PrismRef&) const { return {"a prism without caps", capped}; }
-    Sheet operator()(const Triangle&) const {
-        return {"a triangle", "a closed mesh of triangles has an inside"};
-    }
-    Sheet operator()(const PatchRef&) const {
-        return {"a patch", "a lathe, a prism and a closed mesh have an inside"};
-    }
-    Sheet operator()(const MeshRef& mesh) const {
-        if (mesh.inside == Inside::never)
-            return {"a mesh with 'body false'", "leave 'body false' out"};
-        return {
-            "a mesh that is not closed",
-            "close it: each edge belongs to two faces, and vertices that ought to be one are at "
-            "exactly the same place; or write 'body true' in it: rays that meet a gap then go "
-            "wrong"};
-    }
-    Sheet operator()(const LatheRef&) const {
-        return {
-            "a lathe with an open profile",
-            "a profile that begins and ends on the axis, or ends where it began, has an inside"};
-    }
-    // All these have an inside.
-    Sheet operator()(const Sphere&) const { return {}; }
-    Sheet operator()(const Box&) const { return {}; }
-    Sheet operator()(const Torus&) const { return {}; }
-    Sheet operator()(const Plane&) const { return {}; }
-    Sheet operator()(const CompositeRef&) const { return {}; }
-};
-
 }  // namespace
 
 void SceneBuilder::check_part(const Shape& shape, const Attributes& attributes,
@@ -71,7 +31,7 @@ void SceneBuilder::check_part(const Shape& shape, const Attributes& attributes,
     group.holds_body = true;
     if (!attributes.shadow) report_.warning(Message::shadow_of_part, place);
     if (bodies_.holds(shape)) return;
-    const Sheet sheet = std::visit(SheetOf{}, shape);
+    const Sheet sheet = facts_of(scene, shape).sheet;
     Diagnostic* error = report_.error(Message::sheet_in_body, place, sheet.what);
     if (error != nullptr) error->hint = sheet.hint;
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 
 #include "judge/pack/scene_json.h"
 #include "model/mesh_pieces.h"
+#include "model/shape_facts.h"
 
 namespace lancer::judge {
 
@@ -82,33 +84,19 @@ class ShapeWriter {
   public:
     ShapeWriter(const Scene& scene, PackSink& sink) : scene_(scene), sink_(sink) {}
 
-    Json operator()(const Sphere& s) const {
-        return {{"kind", "sphere"}, {"center", to_json(s.center)}, {"radius", s.radius}};
+    /// A shape whose fields are plain numbers.
+    Json operator()(const OneShape auto& shape) const {
+        Json json;
+        json["kind"] = facts_of(scene_, shape).name;
+        fields(shape, [&json](const char* name, const auto& value) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Vec3d>)
+                json[name] = to_json(value);
+            else
+                json[name] = value;
+        });
+        return json;
     }
-    Json operator()(const Box& b) const {
-        return {{"kind", "box"}, {"min", to_json(b.min)}, {"max", to_json(b.max)}};
-    }
-    Json operator()(const Cylinder& c) const {
-        return {{"kind", "cylinder"},
-                {"base", to_json(c.base)},
-                {"top", to_json(c.top)},
-                {"radius", c.radius},
-                {"capped", c.capped}};
-    }
-    Json operator()(const Cone& c) const {
-        return {{"kind", "cone"},
-                {"base", to_json(c.base)},
-                {"top", to_json(c.top)},
-                {"base_radius", c.base_radius},
-                {"top_radius", c.top_radius},
-                {"capped", c.capped}};
-    }
-    Json operator()(const Torus& t) const {
-        return {{"kind", "torus"}, {"radius", t.radius}, {"tube", t.tube}};
-    }
-    Json operator()(const Plane& p) const {
-        return {{"kind", "plane"}, {"normal", to_json(p.normal)}, {"offset", p.offset}};
-    }
+    // The others name what stands elsewhere.
     Json operator()(const Triangle& t) const {
         Json json{{"kind", "triangle"}, {"points", list_json(t.points)}};
         if (t.attributes == none) return json;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/pov/composites.h"
-
 namespace lancer::reference::pov {
 
 void Bounds::add(const Vec3d& p) {
@@ -40,85 +38,6 @@ Bounds moved(const Affine<double>& map, const Bounds& bounds) {
 
 namespace {
 
-// The box of a disc or ball of radius r is at most that of the ball: enough to judge sizes.
-void add_ball(Bounds& bounds, const Vec3d& center, double radius) {
-    bounds.add(center - Vec3d(radius));
-    bounds.add(center + Vec3d(radius));
-}
-
-struct OwnBounds {
-    const Scene& scene;
-    Bounds operator()(const Sphere& s) const {
-        Bounds b;
-        add_ball(b, s.center, s.radius);
-        return b;
-    }
-    Bounds operator()(const Box& s) const {
-        Bounds b;
-        b.add(s.min);
-        b.add(s.max);
-        return b;
-    }
-    Bounds operator()(const Cylinder& s) const {
-        Bounds b;
-        add_ball(b, s.base, s.radius);
-        add_ball(b, s.top, s.radius);
-        return b;
-    }
-    Bounds operator()(const Cone& s) const {
-        Bounds b;
-        add_ball(b, s.base, s.base_radius);
-        add_ball(b, s.top, s.top_radius);
-        return b;
-    }
-    Bounds operator()(const Torus& s) const {
-        const Vec3d reach(s.radius + s.tube, s.tube, s.radius + s.tube);
-        Bounds b;
-        b.add(-reach);
-        b.add(reach);
-        return b;
-    }
-    Bounds operator()(const Plane&) const { return {}; }
-    Bounds operator()(const Triangle& s) const {
-        Bounds b;
-        for (const Vec3d& p : s.points) b.add(p);
-        return b;
-    }
-    Bounds operator()(const MeshRef& s) const {
-        Bounds b;
-        const Mesh& mesh = *scene.meshes[s.mesh];
-        for (const Mesh::Corners& face : mesh.faces)
-            for (const std::uint32_t corner : face) b.add(mesh.vertices[corner]);
-        return b;
-    }
-    Bounds operator()(const PatchRef& s) const {
-        Bounds b;
-        for (const Vec3d& p : scene.patches[s.patch].control) b.add(p);
-        return b;
-    }
-    Bounds operator()(const LatheRef& s) const {
-        Bounds b;
-        for (const Vec2d& p : scene.lathes[s.lathe].profile) {
-            const double r = std::abs(p.x);
-            b.add(Vec3d(-r, p.y, -r));
-            b.add(Vec3d(r, p.y, r));
-        }
-        return b;
-    }
-    Bounds operator()(const PrismRef& s) const {
-        Bounds b;
-        const Prism& prism = scene.prisms[s.prism];
-        for (const Vec2d& p : prism.outline) {
-            b.add(Vec3d(p.x, prism.bottom, p.y));
-            b.add(Vec3d(p.x, prism.top, p.y));
-        }
-        return b;
-    }
-    Bounds operator()(const CompositeRef& s) const {
-        return composite_bounds(scene, scene.composites[s.composite]);
-    }
-};
-
 /// floor(log10(x)), for finite x > 0.
 int decade(double x) {
     int n = 0;
@@ -126,16 +45,6 @@ int decade(double x) {
     for (; x < 1; x *= 10) --n;
     return n;
 }
-
-}  // namespace
-
-std::optional<Bounds> shape_bounds(const Scene& scene, const Shape& shape) {
-    const Bounds bounds = std::visit(OwnBounds{scene}, shape);
-    if (bounds.empty) return std::nullopt;
-    return bounds;
-}
-
-namespace {
 
 /// What an exporter's scale depends on.
 struct SceneSize {

@@ -1,11 +1,14 @@
-#include "reference/pov/shapes.h"
-
+// What POV-Ray has for each shape: its own primitive, and images mapped by the shape's own
+// parameters. It knows these for spheres, meshes, patches and lathes, by the same rules; for boxes,
+// cylinders and cones they are put together here from the faces.
 #include <fmt/format.h>
 
-#include "model/bodies.h"
-#include "model/parts.h"
+#include <algorithm>
+
+#include "reference/pov/choices.h"
 #include "reference/pov/composites.h"
-#include "reference/pov/materials.h"
+#include "reference/pov/pigments.h"
+#include "reference/pov/shapes.h"
 
 namespace lancer::reference::pov {
 
@@ -62,79 +65,176 @@ struct ShapeOpener {
     }
 };
 
+Affine<double> map_of(const Vec3d& u, const Vec3d& v, const Vec3d& w, const Vec3d& shift) {
+    return {{Vec3d(u.x, v.x, w.x), Vec3d(u.y, v.y, w.y), Vec3d(u.z, v.z, w.z)}, shift};
+}
+
+/// What a texture's transforms do to points (u, v, 0): the third coordinate of others, which
+/// POV-Ray has here and there, is not to count.
+Affine<double> within_plane(const Affine<double>& to_object) {
+    Affine<long double> back = inverse(convert<long double>(to_object));
+    back.rows[0].z = back.rows[1].z = 0;
+    return convert<double>(inverse(back));
+}
+
+struct UvWriter {
+    Writer& writer;
+    const Material& material;
+    const ImageTexture& image;
+    const Affine<double> to_object;  ///< moves the pattern in the plane of u and v
+    const Object& object;
+    PowerOfTen own;
+
+    std::string picture() const {
+        return image_map(writer, material, image, "map_type 0", object.place);
+    }
+    void line(const std::string& words) const {
+        if (!words.empty()) writer.text.line(words);
+    }
+
+    /// POV-Ray's own: the pattern point is (u, v, 0).
+    void native() const {
+        writer.text.open("pigment {");
+        line("uv_mapping " + picture());
+        line(transform(to_object));
+        writer.text.close();
+    }
+    void planar() const {
+        writer.text.open("pigment {");
+        line(picture());
+        line(pattern_transform(to_object, own));
+        writer.text.close();
+    }
+    /// Face `number` of several, of the eight that a pigment_map here has room for: (0, 0) of the
+    /// image at `corner`, u and v along the two edges. (What is off the face shows nowhere.)
+    void face(int number, const Vec3d& corner, const Vec3d& u, const Vec3d& v) const {
+        open_face(number);
+        line(picture());
+        line(transform(to_object));
+        line(transform(map_of(u, v, cross(u, v), corner)));
+        writer.text.close("]");
+    }
+    void open_face(int number) const { writer.text.open("[" + pov::number(number / 8.0)); }
+
+    void operator()(const CompositeRef&) const {}  // its leaves have textures
+    void operator()(const Sphere&) const { native(); }
+    /// POV-Ray's u runs the other way round than on its spheres and lathes.
+    void operator()(const Torus&) const {
+        writer.text.open("pigment {");
+        line("uv_mapping " + picture());
+        line(transform(to_object));
+        line("scale <-1, 1, 1> translate <1, 0, 0>");
+        writer.text.close();
+    }
+    void operator()(const Plane&) const { planar(); }
+    void operator()(const Triangle& shape) const {
+        const bool mapped = shape.attributes != none &&
+                            writer.scene.triangle_attributes[shape.attributes].uvs.has_value();
+        mapped ? native() : planar();
+    }
+    void operator()(const MeshRef& shape) const {
+        const Mesh& mesh = *writer.scene.meshes[shape.mesh];
+        if (mesh.uvs.empty()) {
+            planar();
+            return;
+        }
+        if (!is_mapped(mesh))
+            writer.refuse(object.place, "some faces of this mesh have no uvs",
+                          "give all of them uvs, or none");
+        native();
+    }
+    void operator()(const PatchRef&) const { native(); }
+    void operator()(const LatheRef&) const { native(); }
+    void operator()(const PrismRef&) const {
+        writer.refuse(object.place, "POV-Ray has no uv mapping for prisms",
+                      "use 'mapping planar' or 'mapping cylindrical'");
+    }
+
+    /// Six faces in a cube from -1 to 1, told apart by their largest coordinate.
+    void operator()(const Box& box) const {
+        const Vec3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+        const auto side = [this](int number, const Vec3d& u, const Vec3d& v, const Vec3d& outward) {
+            face(number, outward - u - v, 2.0 * u, 2.0 * v);
+        };
+        writer.text.open("pigment {  // the faces -x, +x, -y, +y, -z, +z: see the function");
+        line("function { select(max(abs(y), abs(z)) - abs(x), select(x, 0, 1),");
+        line("           select(abs(z) - abs(y), select(y, 2, 3), select(z, 4, 5))) / 8 }");
+        writer.text.open("pigment_map {");
+        side(0, z, y, -x);
+        side(1, -z, y, x);
+        side(2, x, z, -y);
+        side(3, x, -z, y);
+        side(4, -x, y, -z);
+        side(5, x, y, z);
+        writer.text.close();
+        const Vec3d low = own(box.min);
+        const Vec3d high = own(box.max);
+        const Vec3d half = (high - low) / 2.0;
+        if (half.x * half.y * half.z == 0)
+            writer.refuse(object.place, "POV-Ray cannot tell the sides of a flat box apart",
+                          "give the box some thickness");
+        line(transform(map_of({half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}, (low + high) / 2.0)));
+        writer.text.close();
+    }
+
+    void operator()(const Cylinder& s) const { round(s.base, s.top, s.radius, s.radius, s.capped); }
+    void operator()(const Cone& s) const {
+        round(s.base, s.top, s.base_radius, s.top_radius, s.capped);
+    }
+
+    /// Base, mantle and top in a frame whose y runs from 0 at the base to 1 at the top.
+    void round(const Vec3d& base, const Vec3d& top, double base_radius, double top_radius,
+               bool capped) const {
+        const Vec3d axis = own(top) - own(base);
+        const Vec3d y = normalize(axis);
+        // The world's x axis made perpendicular to y, or its z axis where x is too near to y.
+        const int aside = std::abs(y.x) > 0.9 ? 2 : 0;
+        Vec3d x = -y[aside] * y;
+        x[aside] += 1;
+        x = normalize(x);
+        const Vec3d z = cross(x, y);
+        const auto cap = [this](int number, double radius) {
+            const double r = own(radius);
+            // At whatever height: a picture has no depth.
+            if (r != 0) face(number, Vec3d(-r), {2 * r, 0, 0}, {0, 0, 2 * r});
+        };
+        writer.text.open("pigment {");
+        if (capped) {
+            // The caps lie at 0 and 1 but for rounding.
+            line(fmt::format("function {{ select(y - {0}, 0, select(y - (1 - {0}), 1, 2)) / 8 }}",
+                             number(cap_margin)));
+            writer.text.open("pigment_map {");
+            cap(0, base_radius);
+            open_face(1);
+            mantle();
+            writer.text.close("]");
+            cap(2, top_radius);
+            writer.text.close();
+        } else {
+            mantle();
+        }
+        line(transform(map_of(x, axis, z, own(base))));
+        writer.text.close();
+    }
+
+    /// The plane of u and v rolled up: x becomes the angle in turns, y stays.
+    void mantle() const {
+        line(picture());
+        line(transform(to_object));
+        line("warp { cylindrical orientation z dist_exp 0 }");
+    }
+};
+
 }  // namespace
 
 bool open_shape(Writer& writer, const Object& object, PowerOfTen own) {
     return std::visit(ShapeOpener{writer, object, own}, object.shape);
 }
 
-namespace {
-
-/// The words of an object, without its end. False where there are none.
-bool open_object(Writer& writer, std::uint32_t index) {
-    const Scene& scene = writer.scene;
-    const Object& object = scene.objects[index];
-    bool shines_through = false;
-    for_each_part(scene, object, [&](const Object& part) {
-        shines_through = shines_through || scene.materials[part.material].phong_transmission > 0;
-    });
-    if (shines_through) {
-        writer.refuse(object.place, "POV-Ray has no highlight of light from behind",
-                      "leave 'phong_transmission' out of the material to export the scene");
-        return false;
-    }
-    const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);
-    if (object.name != none) writer.text.line("// \"" + comment(scene.names[object.name]) + "\"");
-    if (!open_shape(writer, object, space.own)) return false;
-    if (!std::holds_alternative<CompositeRef>(object.shape))
-        write_texture(writer, object, space.own);  // before the transform, which takes it along
-    return true;
-}
-
-/// What is the object's own, but not a part's of a merged one.
-void write_inside_and_shadow(Writer& writer, const Object& object) {
-    const Scene& scene = writer.scene;
-    write_interior(writer, scene.materials[object.material], is_body(scene, object.shape),
-                   lets_light_pass(scene, object));
-    if (!object.casts_shadow || !scene.settings.shadows) writer.text.line("no_shadow");
-}
-
-void write_transform(Writer& writer, const Object& object) {
-    const ObjectSpace space = object_space(writer.scene.transforms[object.transform], writer.scale);
-    const std::string moved = transform(space.to_picture);
-    if (!moved.empty()) writer.text.line(moved);
-}
-
-void declare_mesh_of(Writer& writer, const Object& object) {
-    writer.in_composite = std::holds_alternative<CompositeRef>(object.shape);
-    for_each_part(writer.scene, object, [&](const Object& part) {
-        declare_mesh(writer, part,
-                     object_space(writer.scene.transforms[part.transform], writer.scale).own);
-    });
-}
-
-}  // namespace
-
-void write_object(Writer& writer, std::uint32_t index) {
-    const Object& object = writer.scene.objects[index];
-    declare_mesh_of(writer, object);
-    if (!open_object(writer, index)) return;
-    write_inside_and_shadow(writer, object);
-    write_transform(writer, object);
-    writer.text.close();
-}
-
-void write_merged(Writer& writer, const std::vector<std::uint32_t>& members) {
-    const Scene& scene = writer.scene;
-    for (const std::uint32_t member : members) declare_mesh_of(writer, scene.objects[member]);
-    writer.text.open("merge {");
-    for (const std::uint32_t member : members) {
-        if (!open_object(writer, member)) continue;
-        write_transform(writer, scene.objects[member]);
-        writer.text.close();
-    }
-    write_inside_and_shadow(writer, scene.objects[members.front()]);
-    writer.text.close();
+void write_uv_pigment(Writer& writer, const Material& material, const ImageTexture& image,
+                      const Affine<double>& to_object, const Object& object, PowerOfTen own) {
+    std::visit(UvWriter{writer, material, image, within_plane(to_object), object, own},
+               object.shape);
 }
 
 }  // namespace lancer::reference::pov
