@@ -17,7 +17,7 @@ Builder::Builder(ast::File& file, std::string_view text, Symbols& symbols,
       nesting_limit_(nesting_limit),
       report_(report),
       last_end_(text.data()) {
-    contexts_.emplace_back().properties = &vocabulary.in_statements();
+    open_.contexts.emplace_back().properties = &vocabulary.in_statements();
 }
 
 SourceSpan Builder::span(const char* begin, const char* end) const {
@@ -39,7 +39,7 @@ std::string_view Builder::word_at(const char* at) const {
 }
 
 bool Builder::knows_property(std::string_view word) {
-    return contexts_.back().properties->knows(symbols_.intern(word));
+    return open_.contexts.back().properties->knows(symbols_.intern(word));
 }
 
 bool Builder::knows_block(std::string_view word) {
@@ -47,7 +47,7 @@ bool Builder::knows_block(std::string_view word) {
 }
 
 bool Builder::block_being_opened_knows(const char*, std::string_view word) {
-    const ast::Statement& block = building_.back();
+    const ast::Statement& block = open_.building.back();
     return vocabulary_.properties(block.word, block.name).knows(symbols_.intern(word));
 }
 
@@ -77,7 +77,7 @@ bool Builder::is_next_block(const char* at) {
 }
 
 bool Builder::is_outer_statement(const char* at) {
-    const Context& context = contexts_.back();
+    const Context& context = open_.contexts.back();
     if (!context.properties_only) return false;
     const std::size_t offset = offset_of(at);
     if (offset >= text_.size() || !scan::is_name_start(text_[offset]) ||
@@ -98,7 +98,7 @@ void Builder::comment(const char* begin, const char* end) {
 }
 
 void Builder::begin_statement(Kind kind, const char* begin, const char* end) {
-    ast::Statement& statement = building_.emplace_back();
+    ast::Statement& statement = open_.building.emplace_back();
     const std::string_view word(begin, static_cast<std::size_t>(end - begin));
     statement.kind = kind;
     statement.word = symbols_.intern(word);
@@ -110,7 +110,7 @@ void Builder::begin_statement(Kind kind, const char* begin, const char* end) {
 
 void Builder::statement_name(const char* begin, const char* end) {
     const std::string_view name(begin, static_cast<std::size_t>(end - begin));
-    ast::Statement& statement = building_.back();
+    ast::Statement& statement = open_.building.back();
     statement.name = symbols_.intern(name);
     statement.name_offset = offset_of(begin);
     statement.name_length = static_cast<std::uint32_t>(name.size());
@@ -133,20 +133,20 @@ void Builder::part() {
 void Builder::argument() {
     ast::Argument argument;
     // A label from outside of a block in place belongs to the call around it.
-    const std::size_t outside = skips_.empty() ? 0 : skips_.back().labels;
-    if (labels_.size() > outside) {
-        argument = labels_.back();
-        labels_.pop_back();
+    const std::size_t outside = within_.skips.empty() ? 0 : within_.skips.back().labels;
+    if (within_.labels.size() > outside) {
+        argument = within_.labels.back();
+        within_.labels.pop_back();
     }
     argument.value = last_value_;
     file_.arguments.push_back(argument);
 }
 
 void Builder::begin_body() {
-    ast::Statement& owner = building_.back();
+    ast::Statement& owner = open_.building.back();
     owner.arguments.end = static_cast<std::uint32_t>(file_.arguments.size());
     Context context;
-    context.pending = pending_.size();
+    context.pending = open_.pending.size();
     context.opener = text_.data() + owner.offset;
     switch (owner.kind) {
         case Kind::block:
@@ -158,31 +158,31 @@ void Builder::begin_body() {
             context.properties = &vocabulary_.in_statements();
             break;
         default:
-            context.properties = contexts_.back().properties;
+            context.properties = open_.contexts.back().properties;
             break;
     }
-    contexts_.push_back(context);
+    open_.contexts.push_back(context);
 }
 
 ast::Range Builder::flush(std::size_t from) {
     const auto begin = static_cast<std::uint32_t>(file_.statements.size());
-    const auto first = pending_.begin() + static_cast<std::ptrdiff_t>(from);
-    make_room(file_.statements, pending_.size() - from);
-    file_.statements.insert(file_.statements.end(), first, pending_.end());
-    pending_.erase(first, pending_.end());
+    const auto first = open_.pending.begin() + static_cast<std::ptrdiff_t>(from);
+    make_room(file_.statements, open_.pending.size() - from);
+    file_.statements.insert(file_.statements.end(), first, open_.pending.end());
+    open_.pending.erase(first, open_.pending.end());
     return {begin, static_cast<std::uint32_t>(file_.statements.size())};
 }
 
 void Builder::end_body(const char* at, bool closed) {
-    Context context = contexts_.back();
-    contexts_.pop_back();
+    Context context = open_.contexts.back();
+    open_.contexts.pop_back();
     if (!closed) {
         context.damaged = true;
         if (!cut_short_ && !context.brace_lost) {
             const SourceSpan where = span_of_token(at);
             if (Diagnostic* error =
                     report_.error(Message::missing_close_brace, where, found_at(at))) {
-                const ast::Statement& owner = building_.back();
+                const ast::Statement& owner = open_.building.back();
                 error->notes.push_back(Report::note(Message::opened_here, file_.span(owner)));
             }
             cut_short_ = offset_of(at) >= text_.size();
@@ -190,35 +190,35 @@ void Builder::end_body(const char* at, bool closed) {
     }
     last_brace_ = at + (closed ? 1 : 0);
     const ast::Range body = flush(context.pending);
-    ast::Statement& owner = building_.back();
+    ast::Statement& owner = open_.building.back();
     owner.damaged |= context.damaged;
     (owner.has_otherwise ? owner.otherwise : owner.body) = body;
 }
 
 void Builder::begin_else() {
-    building_.back().has_otherwise = true;
-    else_marks_.push_back(pending_.size());
+    open_.building.back().has_otherwise = true;
+    open_.else_marks.push_back(open_.pending.size());
 }
 
 void Builder::end_else() {
     // `else if`: the inner statement alone is the body.
-    if (pending_.size() > else_marks_.back())
-        building_.back().otherwise = flush(else_marks_.back());
-    else_marks_.pop_back();
+    if (open_.pending.size() > open_.else_marks.back())
+        open_.building.back().otherwise = flush(open_.else_marks.back());
+    open_.else_marks.pop_back();
 }
 
 void Builder::end_statement() {
-    ast::Statement& statement = building_.back();
+    ast::Statement& statement = open_.building.back();
     if (statement.body.empty() && statement.kind != Kind::block && statement.kind != Kind::def &&
         statement.kind != Kind::loop && statement.kind != Kind::choice)
         statement.arguments.end = static_cast<std::uint32_t>(file_.arguments.size());
-    if (!brackets_.empty() && statement.kind == Kind::call) {
-        brackets_.pop_back();
-        counts_.pop_back();
+    if (!within_.brackets.empty() && statement.kind == Kind::call) {
+        within_.brackets.pop_back();
+        within_.counts.pop_back();
     }
-    make_room(pending_, 1);
-    pending_.push_back(statement);
-    building_.pop_back();
+    make_room(open_.pending, 1);
+    open_.pending.push_back(statement);
+    open_.building.pop_back();
 }
 
 void Builder::end_file() {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 #include "parser/ast.h"
+#include "parser/open_parts.h"
 #include "parser/report.h"
 #include "parser/scan.h"
 #include "parser/vocabulary.h"
@@ -70,15 +72,19 @@ class Builder {
 
     // --- Recovery
 
+    /// How much had been read, begun and nested at a place, in the order of the stacks.
     struct Mark {
         const char* at = nullptr;
-        std::size_t building = 0, pending = 0, contexts = 0, arguments = 0, steps = 0,
-                    operators = 0, bases = 0, branches = 0, counts = 0, brackets = 0, labels = 0,
-                    callees = 0, values = 0, else_marks = 0, clauses = 0, computed = 0, skips = 0,
-                    statements = 0;
+        std::array<std::size_t, 3> file;
+        std::array<std::size_t, 4> statements;
+        std::array<std::size_t, 11> expressions;
         std::uint64_t nesting = 0;
+
+        std::size_t building() const { return statements[0]; }
+        std::size_t contexts() const { return statements[2]; }
+        std::size_t brackets() const { return expressions[4]; }
     };
-    Mark mark(const char* at) const;
+    Mark mark(const char* at);
     /// Reports the error, drops what was read since the mark, returns where to go on.
     const char* recover(const Mark& mark, const SyntaxError& error);
 
@@ -105,7 +111,7 @@ class Builder {
     void member(const char* begin, const char* end);
     void prefix(const char* at);
     void infix(const char* begin, const char* end);
-    void begin_chain() { bases_.push_back(operators_.size()); }
+    void begin_chain() { within_.bases.push_back(within_.operators.size()); }
     void end_chain();
     void question(const char* at);
     void colon(const char* at);
@@ -129,10 +135,10 @@ class Builder {
 
     void begin_statement(ast::Statement::Kind kind, const char* begin, const char* end);
     void statement_name(const char* begin, const char* end);
-    void end_parameters() { brackets_.pop_back(); }
+    void end_parameters() { within_.brackets.pop_back(); }
     void parameter(const char* begin, const char* end);
     void default_value();
-    void function_value() { building_.back().value = last_value_; }
+    void function_value() { open_.building.back().value = last_value_; }
     void part();
     void argument();
     void begin_body();
@@ -145,41 +151,10 @@ class Builder {
     ast::Expression last_value() const { return last_value_; }
 
   private:
-    friend class Nesting;
-
-    struct PendingOperator {
-        ast::Op op;
-        std::uint8_t precedence;
-        const char* begin;
-        const char* end;
-        std::uint32_t branch;  ///< the step whose jump it ends, for && and ||
-    };
-    struct Context {
-        const PropertySet* properties = nullptr;
-        bool properties_only = false;
-        bool damaged = false;
-        bool brace_lost = false;  ///< its `}` is in a string without an end
-        const char* opener = nullptr;
-        std::size_t pending = 0;
-    };
-
-    /// What stands in brackets so far.
-    struct Listed {
-        std::uint32_t count = 0;
-        bool gathers = false;  ///< some of it is computed
-    };
-    /// `for` or `if` of a list that is computed.
-    struct Clause {
-        ast::Step word;
-        Symbol variable = no_symbol;  ///< none: an `if`
-        std::uint32_t step = 0;       ///< whose payload is to be completed
-    };
-
-    /// A block in place that is being read: what there was before it.
-    struct Skip {
-        std::uint32_t step = 0;
-        std::size_t arguments = 0, statements = 0, labels = 0;
-    };
+    using Context = OpenStatements::Context;
+    using Listed = OpenExpressions::Listed;
+    using Clause = OpenExpressions::Clause;
+    using Skip = OpenExpressions::Skip;
 
     ast::Expression take_value();
     void emit_each(ast::Op op, const ast::Expression& place);
@@ -200,6 +175,8 @@ class Builder {
         const double grown = static_cast<double>(needed) * std::clamp(1.05 * share, 1.25, 8.0);
         read.reserve(std::max(needed, static_cast<std::size_t>(grown)));
     }
+    /// What of the file a syntax error drops.
+    auto file_stacks() { return std::tie(file_.arguments, file_.steps, file_.statements); }
     SourceSpan span(const char* begin, const char* end) const;
     std::string found_at(const char* at) const;
     SourceSpan span_of_token(const char* at) const;
@@ -222,21 +199,8 @@ class Builder {
     std::uint64_t nesting_limit_;
     Report& report_;
 
-    std::vector<ast::Statement> building_;
-    std::vector<ast::Statement> pending_;
-    std::vector<Context> contexts_;
-    std::vector<PendingOperator> operators_;
-    std::vector<std::size_t> bases_;
-    std::vector<std::uint32_t> branches_;
-    std::vector<Listed> counts_;
-    std::vector<Clause> clauses_;
-    std::vector<Skip> skips_;
-    std::vector<std::size_t> computed_;  ///< the first clause of each
-    std::vector<const char*> brackets_;
-    std::vector<ast::Argument> labels_;
-    std::vector<ast::Step> callees_;
-    std::vector<ast::Expression> values_;
-    std::vector<std::size_t> else_marks_;
+    OpenStatements open_;
+    OpenExpressions within_;
     ast::Expression last_value_;
     std::uint64_t nesting_ = 0;
     const char* last_brace_ = nullptr;  ///< behind the last `}` of a body

@@ -13,7 +13,7 @@ void Builder::emit_of(Op op, const ast::Expression& place) {
 }
 
 void Builder::element() {
-    Listed& listed = counts_.back();
+    Listed& listed = within_.counts.back();
     if (listed.gathers) {
         file_.steps.push_back({0, file_.steps.back().offset, file_.steps.back().length, Op::keep});
     } else {
@@ -22,20 +22,20 @@ void Builder::element() {
 }
 
 void Builder::begin_computed(const char* at) {
-    Listed& listed = counts_.back();
+    Listed& listed = within_.counts.back();
     if (!listed.gathers) emit(Op::gather, at, at, listed.count);
     listed.gathers = true;
-    computed_.push_back(clauses_.size());
+    within_.computed.push_back(within_.clauses.size());
 }
 
 void Builder::each_word(const char* begin, const char* end) {
-    Clause& clause = clauses_.emplace_back();
+    Clause& clause = within_.clauses.emplace_back();
     clause.word = {0, offset_of(begin), static_cast<std::uint16_t>(end - begin), Op::again};
 }
 
 void Builder::each_variable(const char* begin, const char* end) {
     const Symbol name = symbols_.intern({begin, static_cast<std::size_t>(end - begin)});
-    clauses_.back().variable = name;
+    within_.clauses.back().variable = name;
     file_.variables.push_back(name);
 }
 
@@ -53,12 +53,12 @@ void Builder::each_list() {
 }
 
 void Builder::emit_each(Op op, const ast::Expression& place) {
-    clauses_.back().step = static_cast<std::uint32_t>(file_.steps.size());
+    within_.clauses.back().step = static_cast<std::uint32_t>(file_.steps.size());
     emit_of(op, place);
 }
 
 void Builder::only_if() {
-    clauses_.push_back({{}, no_symbol, static_cast<std::uint32_t>(file_.steps.size())});
+    within_.clauses.push_back({{}, no_symbol, static_cast<std::uint32_t>(file_.steps.size())});
     emit_of(Op::only_if, last_value_);
 }
 
@@ -66,21 +66,21 @@ void Builder::end_computed() {
     const ast::Step& last = file_.steps.back();
     file_.steps.push_back({0, last.offset, last.length, Op::keep});
     // From the innermost clause out; conditions lead to the `again` of the `for` around them.
-    std::size_t conditions = clauses_.size();
-    for (std::size_t i = clauses_.size(); i-- > computed_.back();) {
-        const Clause& clause = clauses_[i];
+    std::size_t conditions = within_.clauses.size();
+    for (std::size_t i = within_.clauses.size(); i-- > within_.computed.back();) {
+        const Clause& clause = within_.clauses[i];
         if (clause.variable == no_symbol) continue;
         const auto here = static_cast<std::uint32_t>(file_.steps.size());
         for (std::size_t k = i + 1; k < conditions; ++k)
-            file_.steps[clauses_[k].step].payload = here;
+            file_.steps[within_.clauses[k].step].payload = here;
         conditions = i;
         file_.steps.push_back(clause.word);
         file_.steps.back().payload = clause.step + 1;
         const std::uint64_t after = file_.steps.size();
         file_.steps[clause.step].payload = clause.variable | after << 32;
     }
-    clauses_.resize(computed_.back());
-    computed_.pop_back();
+    within_.clauses.resize(within_.computed.back());
+    within_.computed.pop_back();
 }
 
 }  // namespace lancer::grammar

@@ -86,63 +86,63 @@ void Builder::boolean(const char* begin, const char* end, bool value) {
 void Builder::callee(const char* begin, const char* end) {
     const std::string_view name(begin, static_cast<std::size_t>(end - begin));
     const auto length = static_cast<std::uint16_t>(std::min<std::size_t>(name.size(), 0xFFFF));
-    callees_.push_back({symbols_.intern(name), offset_of(begin), length, Op::name});
+    within_.callees.push_back({symbols_.intern(name), offset_of(begin), length, Op::name});
     last_end_ = end;
 }
 
 void Builder::plain_name() {
     make_room(file_.steps, 1);
-    file_.steps.push_back(callees_.back());
-    callees_.pop_back();
+    file_.steps.push_back(within_.callees.back());
+    within_.callees.pop_back();
 }
 
 void Builder::open_bracket(const char* at) {
-    brackets_.push_back(at);
+    within_.brackets.push_back(at);
 }
 
 void Builder::open_list(const char* at) {
-    brackets_.push_back(at);
-    counts_.emplace_back();
+    within_.brackets.push_back(at);
+    within_.counts.emplace_back();
 }
 
 void Builder::label(const char* begin, const char* end) {
     const std::string_view name(begin, static_cast<std::size_t>(end - begin));
-    labels_.push_back(
+    within_.labels.push_back(
         {symbols_.intern(name), offset_of(begin), static_cast<std::uint32_t>(name.size()), {}});
 }
 
 void Builder::end_labelled() {
-    const ast::Argument label = labels_.back();
-    labels_.pop_back();
+    const ast::Argument label = within_.labels.back();
+    within_.labels.pop_back();
     const char* at = text_.data() + label.offset;
     emit(Op::named, at, at + label.length, label.name);
 }
 
 void Builder::end_list(const char* end) {
-    const Listed& listed = counts_.back();
-    emit(listed.gathers ? Op::gathered : Op::list, brackets_.back(), end, listed.count);
-    brackets_.pop_back();
-    counts_.pop_back();
+    const Listed& listed = within_.counts.back();
+    emit(listed.gathers ? Op::gathered : Op::list, within_.brackets.back(), end, listed.count);
+    within_.brackets.pop_back();
+    within_.counts.pop_back();
 }
 
 void Builder::end_call(const char* end) {
-    ast::Step call = callees_.back();
+    ast::Step call = within_.callees.back();
     call.op = Op::call;
-    call.payload = pair(call.payload, counts_.back().count);
+    call.payload = pair(call.payload, within_.counts.back().count);
     file_.steps.push_back(call);
     last_end_ = end;
-    callees_.pop_back();
-    counts_.pop_back();
-    brackets_.pop_back();
+    within_.callees.pop_back();
+    within_.counts.pop_back();
+    within_.brackets.pop_back();
 }
 
 void Builder::end_index(const char* end) {
-    emit(Op::index, brackets_.back(), end, 0);
-    brackets_.pop_back();
+    emit(Op::index, within_.brackets.back(), end, 0);
+    within_.brackets.pop_back();
 }
 
 void Builder::end_parentheses(const char* end) {
-    brackets_.pop_back();
+    within_.brackets.pop_back();
     last_end_ = end;
 }
 
@@ -152,7 +152,8 @@ void Builder::member(const char* begin, const char* end) {
 
 void Builder::prefix(const char* at) {
     deeper(at);
-    operators_.push_back({*at == '-' ? Op::negate : Op::invert, unary_precedence, at, at + 1, 0});
+    within_.operators.push_back(
+        {*at == '-' ? Op::negate : Op::invert, unary_precedence, at, at + 1, 0});
 }
 
 void Builder::infix(const char* begin, const char* end) {
@@ -160,9 +161,9 @@ void Builder::infix(const char* begin, const char* end) {
     const Binding& binding = *std::find_if(std::begin(bindings), std::end(bindings),
                                            [&](const Binding& b) { return b.text == text; });
     const bool right_associative = binding.op == Op::power;
-    while (operators_.size() > bases_.back() &&
-           (operators_.back().precedence > binding.precedence ||
-            (operators_.back().precedence == binding.precedence && !right_associative)))
+    while (within_.operators.size() > within_.bases.back() &&
+           (within_.operators.back().precedence > binding.precedence ||
+            (within_.operators.back().precedence == binding.precedence && !right_associative)))
         pop_operator();
     std::uint32_t branch = 0;
     if (binding.op == Op::and_end || binding.op == Op::or_end) {
@@ -170,12 +171,12 @@ void Builder::infix(const char* begin, const char* end) {
         emit(binding.op == Op::and_end ? Op::and_then : Op::or_else, begin, end, 0);
     }
     if (binding.op == Op::power) deeper(begin);
-    operators_.push_back({binding.op, binding.precedence, begin, end, branch});
+    within_.operators.push_back({binding.op, binding.precedence, begin, end, branch});
 }
 
 void Builder::pop_operator() {
-    const PendingOperator pending = operators_.back();
-    operators_.pop_back();
+    const OpenExpressions::Operator pending = within_.operators.back();
+    within_.operators.pop_back();
     if (pending.precedence >= unary_precedence) --nesting_;
     ast::Step& last = file_.steps.back();
     if (pending.op == Op::negate && last.op == Op::number) {  // a literal with its sign
@@ -192,25 +193,25 @@ void Builder::pop_operator() {
 }
 
 void Builder::end_chain() {
-    while (operators_.size() > bases_.back()) pop_operator();
-    bases_.pop_back();
+    while (within_.operators.size() > within_.bases.back()) pop_operator();
+    within_.bases.pop_back();
 }
 
 void Builder::question(const char* at) {
-    branches_.push_back(static_cast<std::uint32_t>(file_.steps.size()));
+    within_.branches.push_back(static_cast<std::uint32_t>(file_.steps.size()));
     emit(Op::choose, at, at + 1, 0);
 }
 
 void Builder::colon(const char* at) {
-    const std::uint32_t choose = branches_.back();
-    branches_.back() = static_cast<std::uint32_t>(file_.steps.size());
+    const std::uint32_t choose = within_.branches.back();
+    within_.branches.back() = static_cast<std::uint32_t>(file_.steps.size());
     emit(Op::jump, at, at + 1, 0);
     file_.steps[choose].payload = file_.steps.size();
 }
 
 void Builder::end_alternatives() {
-    file_.steps[branches_.back()].payload = file_.steps.size();
-    branches_.pop_back();
+    file_.steps[within_.branches.back()].payload = file_.steps.size();
+    within_.branches.pop_back();
 }
 
 bool Builder::is_block_in_place(const char* at) {
@@ -219,24 +220,25 @@ bool Builder::is_block_in_place(const char* at) {
     if (symbol != vocabulary_.material && symbol != vocabulary_.texture) return false;
     if (scan::next_token(text_, offset_of(at) + word.size()).kind != scan::Token::Kind::open_brace)
         return false;
-    if (building_.empty()) return true;
-    const ast::Statement& around = building_.back();
+    if (open_.building.empty()) return true;
+    const ast::Statement& around = open_.building.back();
     const bool has_body =
         around.kind == ast::Statement::Kind::loop || around.kind == ast::Statement::Kind::choice;
-    return !has_body || (!brackets_.empty() && offset_of(brackets_.back()) > around.offset);
+    return !has_body ||
+           (!within_.brackets.empty() && offset_of(within_.brackets.back()) > around.offset);
 }
 
 /// Its statements have steps of their own, over which the expression around goes on.
 void Builder::begin_in_place(const char* begin, const char* end) {
-    skips_.push_back({static_cast<std::uint32_t>(file_.steps.size()), file_.arguments.size(),
-                      file_.statements.size(), labels_.size()});
+    within_.skips.push_back({static_cast<std::uint32_t>(file_.steps.size()), file_.arguments.size(),
+                             file_.statements.size(), within_.labels.size()});
     emit(Op::skip, begin, end, 0);
     begin_statement(ast::Statement::Kind::block, begin, end);
 }
 
 void Builder::end_in_place() {
-    const Skip skip = skips_.back();
-    skips_.pop_back();
+    const Skip skip = within_.skips.back();
+    within_.skips.pop_back();
     ast::Step block = file_.steps[skip.step];
     file_.steps[skip.step].payload = file_.steps.size();
     // What stands around may be reading arguments of its own. These are of calls that have no
@@ -247,20 +249,20 @@ void Builder::end_in_place() {
     block.op = Op::block;
     block.payload = file_.statements.size();
     file_.steps.push_back(block);
-    file_.statements.push_back(building_.back());
-    building_.pop_back();
+    file_.statements.push_back(open_.building.back());
+    open_.building.pop_back();
     last_end_ = last_brace_;
 }
 
 void Builder::begin_value(const char* at) {
     const auto begin = static_cast<std::uint32_t>(file_.steps.size());
-    values_.push_back({begin, begin, offset_of(at), 0});
+    within_.values.push_back({begin, begin, offset_of(at), 0});
     last_end_ = at;
 }
 
 ast::Expression Builder::take_value() {
-    ast::Expression value = values_.back();
-    values_.pop_back();
+    ast::Expression value = within_.values.back();
+    within_.values.pop_back();
     value.end = static_cast<std::uint32_t>(file_.steps.size());
     value.length = offset_of(last_end_) - value.offset;
     return value;
@@ -269,8 +271,8 @@ ast::Expression Builder::take_value() {
 void Builder::end_value() {
     using Kind = ast::Statement::Kind;
     last_value_ = take_value();
-    if (building_.empty()) return;
-    ast::Statement& statement = building_.back();
+    if (open_.building.empty()) return;
+    ast::Statement& statement = open_.building.back();
     switch (statement.kind) {
         case Kind::property:
         case Kind::let:

@@ -41,26 +41,8 @@ void Builder::missing_open_brace(const char* at) {
     report_.error(Message::expected_open_brace, span_of_token(at), found_at(at));
 }
 
-Builder::Mark Builder::mark(const char* at) const {
-    return {at,
-            building_.size(),
-            pending_.size(),
-            contexts_.size(),
-            file_.arguments.size(),
-            file_.steps.size(),
-            operators_.size(),
-            bases_.size(),
-            branches_.size(),
-            counts_.size(),
-            brackets_.size(),
-            labels_.size(),
-            callees_.size(),
-            values_.size(),
-            else_marks_.size(),
-            clauses_.size(),
-            computed_.size(),
-            skips_.size(),
-            file_.statements.size(),
+Builder::Mark Builder::mark(const char* at) {
+    return {at, lengths(file_stacks()), lengths(open_.stacks()), lengths(within_.stacks()),
             nesting_};
 }
 
@@ -85,7 +67,7 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
                 error.message,
                 span(comment_open_, std::min(comment_open_ + 2, text_.data() + text_.size())));
         case Message::string_not_closed:
-            contexts_[mark.contexts - 1].brace_lost =
+            open_.contexts[mark.contexts() - 1].brace_lost =
                 std::find(string_open_, error.at, '}') != error.at;
             return report_.error(error.message, span(string_open_, error.at));
         case Message::unknown_escape:
@@ -104,16 +86,17 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
         case Message::unknown_word:
             return report_.error(error.message, where, text_.substr(where.offset, where.length));
         case Message::expected_value: {
-            const bool property =
-                building_.size() > mark.building && building_.back().kind == Kind::property;
+            const bool property = open_.building.size() > mark.building() &&
+                                  open_.building.back().kind == Kind::property;
             if (!property) return report_.error(Message::expected_expression, where, found);
-            const ast::Statement& s = building_.back();
+            const ast::Statement& s = open_.building.back();
             said = report_.error(error.message, where, symbols_.text(s.word), found);
             if (said != nullptr && value_is_left_out(error.at)) said->where = file_.span(s);
             return said;
         }
         case Message::expected_close:
-            said = report_.error(error.message, where, *brackets_.back() == '[' ? ']' : ')', found);
+            said = report_.error(error.message, where, *within_.brackets.back() == '[' ? ']' : ')',
+                                 found);
             break;
         case Message::expected_index_close:
         case Message::expected_paren_close:
@@ -121,7 +104,7 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
             break;
         case Message::expected_equals: {
             // Where a line ends without a value, that line is meant, not the next.
-            const SourceSpan name = file_.name_span(building_.back());
+            const SourceSpan name = file_.name_span(open_.building.back());
             const std::size_t line_end = scan::line_end(text_, name.offset);
             return where.offset >= line_end ? report_.error(Message::value_missing, name,
                                                             text_.substr(name.offset, name.length))
@@ -129,7 +112,7 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
         }
         case Message::expected_parameters:
             return report_.error(error.message, where,
-                                 building_.back().kind == Kind::func ? "function" : "template",
+                                 open_.building.back().kind == Kind::func ? "function" : "template",
                                  found);
         case Message::expected_name:
             if (where.length > 0 && scan::is_reserved(text_.substr(where.offset, where.length)))
@@ -139,47 +122,32 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
         default:
             return report_.error(error.message, where, found);
     }
-    if (said != nullptr && brackets_.size() > mark.brackets)
-        said->notes.insert(
-            said->notes.begin(),
-            Report::note(Message::opened_here, span(brackets_.back(), brackets_.back() + 1)));
+    if (said != nullptr && within_.brackets.size() > mark.brackets())
+        said->notes.insert(said->notes.begin(),
+                           Report::note(Message::opened_here, span(within_.brackets.back(),
+                                                                   within_.brackets.back() + 1)));
     return said;
 }
 
 const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     if (Diagnostic* said = report(mark, error)) said->hint = hint_for(error);
-    contexts_.resize(mark.contexts);
-    contexts_.back().damaged = true;
-    pending_.resize(mark.pending);
-    if (building_.size() > mark.building) {
-        // Whatever it declares counts as declared: an error is not to bring others after it.
-        ast::Statement broken = building_[mark.building];
-        if (broken.name != no_symbol && broken.kind != Kind::loop) {
-            broken.kind = Kind::broken;
-            pending_.push_back(broken);
-        }
-        building_.resize(mark.building);
+    // Whatever it declares counts as declared: an error is not to bring others after it.
+    const bool in_statement = open_.building.size() > mark.building();
+    ast::Statement broken;
+    if (in_statement) broken = open_.building[mark.building()];
+    cut(file_stacks(), mark.file);
+    cut(open_.stacks(), mark.statements);
+    cut(within_.stacks(), mark.expressions);
+    open_.contexts.back().damaged = true;
+    if (in_statement && broken.name != no_symbol && broken.kind != Kind::loop) {
+        broken.kind = Kind::broken;
+        open_.pending.push_back(broken);
     }
-    file_.arguments.resize(mark.arguments);
-    file_.steps.resize(mark.steps);
-    operators_.resize(mark.operators);
-    bases_.resize(mark.bases);
-    branches_.resize(mark.branches);
-    counts_.resize(mark.counts);
-    brackets_.resize(mark.brackets);
-    labels_.resize(mark.labels);
-    callees_.resize(mark.callees);
-    values_.resize(mark.values);
-    else_marks_.resize(mark.else_marks);
-    clauses_.resize(mark.clauses);
-    computed_.resize(mark.computed);
-    skips_.resize(mark.skips);
-    file_.statements.resize(mark.statements);
     nesting_ = mark.nesting;
     if (error.message == Message::comment_not_closed) return text_.data() + text_.size();
 
-    const PropertySet& known = *contexts_.back().properties;
-    const bool statements = !contexts_.back().properties_only;
+    const PropertySet& known = *open_.contexts.back().properties;
+    const bool statements = !open_.contexts.back().properties_only;
     const std::size_t start = scan::skip_blanks(text_, offset_of(mark.at));
     // A reserved word in the place of a name is no statement to go on with.
     const bool is_word =

@@ -35,11 +35,11 @@ SourceSpan Builder::place_of_value(Symbol name) const {
         return s.name == name &&
                (s.kind == Kind::let || s.kind == Kind::param || s.kind == Kind::loop);
     };
-    for (const auto* statements : {&pending_, &building_}) {
+    for (const auto* statements : {&open_.pending, &open_.building}) {
         const auto found = std::find_if(statements->rbegin(), statements->rend(), declares);
         if (found != statements->rend()) return file_.name_span(*found);
     }
-    for (const ast::Statement& open : building_) {
+    for (const ast::Statement& open : open_.building) {
         for (std::uint32_t i = open.arguments.begin; i < open.arguments.end; ++i)
             if (file_.arguments[i].name == name) return file_.span(file_.arguments[i]);
     }
@@ -48,7 +48,7 @@ SourceSpan Builder::place_of_value(Symbol name) const {
 
 /// `name = value` where a property should stand.
 void Builder::report_assignment(const char* at) {
-    ast::Statement& property = building_.back();
+    ast::Statement& property = open_.building.back();
     const SourceSpan first = place_of_value(property.word);
     const std::string_view word = symbols_.text(property.word);
     const std::size_t begin = offset_of(at);
@@ -80,11 +80,11 @@ void Builder::report_stray(const char* at) {
     if (*at == '}') {
         report_.error(Message::stray_close_brace, where);
     } else if (*at == '=') {
-        ast::Statement& property = building_.back();
+        ast::Statement& property = open_.building.back();
         if (declarator_end_ == text_.data() + property.offset) {
             property.kind = Kind::broken;
             property.name = property.word;
-        } else if (contexts_.back().properties->knows(property.word)) {
+        } else if (open_.contexts.back().properties->knows(property.word)) {
             report_.error(Message::stray_equals, where);
         } else {
             report_assignment(at);
@@ -200,8 +200,8 @@ std::string Builder::hint_for(const SyntaxError& error) const {
         case Message::unknown_word:
             return std::string(habits::instead_of(found));
         case Message::expected_value:
-            if (!building_.empty() && building_.back().kind == Kind::property) {
-                const ast::Statement& property = building_.back();
+            if (!open_.building.empty() && open_.building.back().kind == Kind::property) {
+                const ast::Statement& property = open_.building.back();
                 const std::string_view word = symbols_.text(property.word);
                 if (token_before(property.offset).kind == Token::Kind::number &&
                     habits::is_unit(word))
@@ -214,15 +214,16 @@ std::string Builder::hint_for(const SyntaxError& error) const {
         case Message::expected_statement:
             return found == "'" ? value_hint(at) : "";
         case Message::expected_paren_close:
-            return found == "," ? habits::vector_hint(until(')', offset_of(brackets_.back()) + 1))
-                                : "";
+            return found == ","
+                       ? habits::vector_hint(until(')', offset_of(within_.brackets.back()) + 1))
+                       : "";
         case Message::expected_index_close:
             return found == "," ? "brackets behind a name take one element of a list, by one number"
                                 : "";
         case Message::expected_close:
-            if (found == "for" && *brackets_.back() == '[')
+            if (found == "for" && *within_.brackets.back() == '[')
                 return "a computed list begins with its 'for': " + std::string(habits::computed);
-            if (found == ":" && *brackets_.back() == '[')
+            if (found == ":" && *within_.brackets.back() == '[')
                 return "numbers in a row are '0..10' behind 'in', or range(0, 10, 1)";
             if (unit) return std::string(habits::about_unit(found));
             return token.kind == Token::Kind::number || token.kind == Token::Kind::name ||
@@ -230,28 +231,28 @@ std::string Builder::hint_for(const SyntaxError& error) const {
                        ? "what stands in brackets is separated by commas"
                        : "";
         case Message::expected_parameters:
-            return found == "=" && building_.back().kind == Kind::func
+            return found == "=" && open_.building.back().kind == Kind::func
                        ? "a value without parameters is 'let " +
-                             std::string(symbols_.text(building_.back().name)) + " = ...'"
+                             std::string(symbols_.text(open_.building.back().name)) + " = ...'"
                        : "";
         case Message::expected_equals:
-            if (building_.back().kind == Kind::func)
+            if (open_.building.back().kind == Kind::func)
                 return found == "{" ? std::string(habits::callables) : "";
-            return building_.back().kind == Kind::param
+            return open_.building.back().kind == Kind::param
                        ? "a param has a value, which -D on the command line replaces: 'param " +
-                             std::string(symbols_.text(building_.back().name)) + " = 1'"
+                             std::string(symbols_.text(open_.building.back().name)) + " = 1'"
                        : "";
         case Message::expected_element:
             return "a computed list is written " + std::string(habits::computed);
         case Message::expected_name:
         case Message::expected_in:
-            if (!computed_.empty())
+            if (!within_.computed.empty())
                 return "a computed list is written " + std::string(habits::computed);
-            return !building_.empty() && building_.back().kind == Kind::loop
+            return !open_.building.empty() && open_.building.back().kind == Kind::loop
                        ? "a loop is written 'for i in 0..10 { ... }' or 'for x in list { ... }'"
                        : "";
         case Message::expected_open_brace:
-            if (found == "=" && building_.back().kind == Kind::def)
+            if (found == "=" && open_.building.back().kind == Kind::def)
                 return std::string(habits::callables);
             if (found == "and" || found == "or") return std::string(habits::instead_of(found));
             if (text_of(before) == "not") return "write '!" + std::string(found) + "'";

@@ -1,0 +1,91 @@
+// What a script's reader has begun and not ended, in stacks: statements, and the expressions in
+// them. After a syntax error all that was begun since some place is dropped, so each stack can tell
+// its length and be cut to one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "parser/ast.h"
+#include "parser/vocabulary.h"
+
+namespace lancer::grammar {
+
+template <class... Stacks>
+std::array<std::size_t, sizeof...(Stacks)> lengths(const std::tuple<Stacks&...>& stacks) {
+    return std::apply([](const auto&... stack) { return std::array{stack.size()...}; }, stacks);
+}
+
+template <class... Stacks>
+void cut(const std::tuple<Stacks&...>& stacks,
+         const std::array<std::size_t, sizeof...(Stacks)>& to) {
+    std::apply([next = to.begin()](auto&... stack) mutable { (stack.resize(*next++), ...); },
+               stacks);
+}
+
+struct OpenStatements {
+    /// A body that is being read, or the file.
+    struct Context {
+        const PropertySet* properties = nullptr;
+        bool properties_only = false;
+        bool damaged = false;
+        bool brace_lost = false;  ///< its `}` is in a string without an end
+        const char* opener = nullptr;
+        std::size_t pending = 0;
+    };
+
+    std::vector<ast::Statement> building;  ///< begun; the innermost is the last
+    std::vector<ast::Statement> pending;   ///< ended, in bodies that are not
+    std::vector<Context> contexts;
+    std::vector<std::size_t> else_marks;  ///< of `pending`, where each `else` begins
+
+    auto stacks() { return std::tie(building, pending, contexts, else_marks); }
+};
+
+struct OpenExpressions {
+    struct Operator {
+        ast::Op op;
+        std::uint8_t precedence;
+        const char* begin;
+        const char* end;
+        std::uint32_t branch;  ///< the step whose jump it ends, for && and ||
+    };
+    /// What stands in brackets so far.
+    struct Listed {
+        std::uint32_t count = 0;
+        bool gathers = false;  ///< some of it is computed
+    };
+    /// `for` or `if` of a list that is computed.
+    struct Clause {
+        ast::Step word;
+        Symbol variable = no_symbol;  ///< none: an `if`
+        std::uint32_t step = 0;       ///< whose payload is to be completed
+    };
+    /// A block in place: what there was before it.
+    struct Skip {
+        std::uint32_t step = 0;
+        std::size_t arguments = 0, statements = 0, labels = 0;
+    };
+
+    std::vector<ast::Expression> values;
+    std::vector<Operator> operators;
+    std::vector<std::size_t> bases;       ///< of `operators`, where each chain begins
+    std::vector<std::uint32_t> branches;  ///< steps of `? :` whose jumps are to be completed
+    std::vector<const char*> brackets;
+    std::vector<Listed> counts;  ///< of lists and calls
+    std::vector<ast::Argument> labels;
+    std::vector<ast::Step> callees;
+    std::vector<Clause> clauses;
+    std::vector<std::size_t> computed;  ///< the first clause of each computed list
+    std::vector<Skip> skips;
+
+    auto stacks() {
+        return std::tie(values, operators, bases, branches, brackets, counts, labels, callees,
+                        clauses, computed, skips);
+    }
+};
+
+}  // namespace lancer::grammar
