@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "model/light_facts.h"
+
 namespace lancer::accuracy {
 namespace {
 
@@ -54,14 +56,8 @@ bool has_alpha(const Scene& scene, const Texture& texture) {
 
 /// The largest of what a light sends anywhere.
 Color brightest(const Light& light) {
-    const bool fades = std::visit(
-        [](const auto& kind) {
-            if constexpr (requires { kind.fade; })
-                return kind.fade.has_value();
-            else
-                return false;
-        },
-        light.kind);
+    const std::optional<Fade>* fade = facts_of(light.kind).fade;
+    const bool fades = fade != nullptr && fade->has_value();
     return absolute(light.color) * (fades ? 2.0 : 1.0);  // 2 / (1 + (d / distance)^power)
 }
 

@@ -1,6 +1,7 @@
 #include "cli/ray_tree_json.h"
 
 #include "cli/scene_words.h"
+#include "model/light_facts.h"
 
 namespace lancer::cli {
 namespace {
@@ -110,7 +111,7 @@ class RayTreeJson {
     Json of(const RayTree::Light& light) const {
         const Light& source = scene_.lights[light.light];
         return {{"light", light.light},
-                {"name", light_names[source.kind.index()]},
+                {"name", facts_of(source.kind).name},
                 {"place", describe_place(source.place, sources_)},
                 {"direction", vector_json(light.direction)},
                 {"distance", light.distance},  // null: infinite

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/scene_words.h"
+#include "model/light_facts.h"
 
 namespace lancer::cli {
 namespace {
@@ -55,7 +56,7 @@ class RayTreeText {
     std::string light_name(std::uint32_t index) const {
         const Light& light = scene_.lights[index];
         const std::string at = describe_place(light.place, sources_);
-        return std::string(light_names[light.kind.index()]) + (at.empty() ? "" : " (" + at + ")");
+        return std::string(facts_of(light.kind).name) + (at.empty() ? "" : " (" + at + ")");
     }
 
     void tell(const RayTree::Ray& ray, std::size_t depth) {

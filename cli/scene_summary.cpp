@@ -6,6 +6,7 @@
 #include <set>
 
 #include "cli/scene_words.h"
+#include "model/light_facts.h"
 #include "model/parts.h"
 #include "model/shape_facts.h"
 
@@ -46,7 +47,7 @@ std::string describe_demand(const Scene& scene, const Demand& demand) {
 SceneSummary summarize(const Scene& scene, const SourceMap& sources) {
     SceneSummary summary;
     Counter<LightKind> lights;
-    for (const Light& light : scene.lights) lights.add(light.kind, light_names[light.kind.index()]);
+    for (const Light& light : scene.lights) lights.add(light.kind, facts_of(light.kind).name);
     summary.lights = lights.found();
     Counter<Shape> shapes;
     std::set<std::uint32_t> materials;

@@ -10,10 +10,6 @@
 
 namespace lancer::cli {
 
-// In the order of the variant's alternatives.
-inline constexpr std::array<std::string_view, std::variant_size_v<LightKind>> light_names{
-    "point light", "directional light", "spot light"};
-
 /// `sphere "ball"`
 std::string describe(const Scene& scene, const Object& object);
 

@@ -100,6 +100,28 @@ struct Rewriter {
     bool operator()(CompositeRef&) const { return true; }  // its leaves are
 };
 
+struct LightRewriter {
+    const Similarity& to;
+
+    void operator()(PointLight& light) const {
+        light.position = to.place(light.position);
+        change(light.fade);
+    }
+    void operator()(DirectionalLight& light) const {
+        light.direction = to.direction(light.direction);
+    }
+    void operator()(SpotLight& light) const {
+        light.position = to.place(light.position);
+        light.look_at = to.place(light.look_at);
+        change(light.fade);
+    }
+
+  private:
+    void change(std::optional<Fade>& fade) const {
+        if (fade) fade->distance *= to.factor;
+    }
+};
+
 class Changer {
   public:
     Changer(const Scene& scene, const Similarity& to) : scene_(scene), to_(to) {}
@@ -162,19 +184,7 @@ class Changer {
             parallel->height *= to_.factor;
     }
 
-    void change(Light& light) {
-        if (auto* point = std::get_if<PointLight>(&light.kind)) {
-            point->position = to_.place(point->position);
-            if (point->fade) point->fade->distance *= to_.factor;
-        } else if (auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
-            sun->direction = to_.direction(sun->direction);
-        } else {
-            SpotLight& spot = std::get<SpotLight>(light.kind);
-            spot.position = to_.place(spot.position);
-            spot.look_at = to_.place(spot.look_at);
-            if (spot.fade) spot.fade->distance *= to_.factor;
-        }
-    }
+    void change(Light& light) { std::visit(LightRewriter{to_}, light.kind); }
 
     Scene scene_;
     Similarity to_;

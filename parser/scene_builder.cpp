@@ -11,22 +11,25 @@ Vec3d moved_point(const Transform& m, const Vec3d& p) {
 }
 
 /// The light after a group's transforms; false when it left the range of numbers.
-bool move(LightKind& kind, const Transform& m) {
-    if (auto* point = std::get_if<PointLight>(&kind)) {
-        point->position = moved_point(m, point->position);
-        return is_finite(point->position);
+struct LightMover {
+    const Transform& m;
+
+    bool operator()(PointLight& light) const {
+        light.position = moved_point(m, light.position);
+        return is_finite(light.position);
     }
-    if (auto* spot = std::get_if<SpotLight>(&kind)) {
-        spot->position = moved_point(m, spot->position);
-        spot->look_at = moved_point(m, spot->look_at);
-        return is_finite(spot->position) && is_finite(spot->look_at) &&
-               spot->position != spot->look_at;
+    bool operator()(DirectionalLight& light) const {
+        const auto exact = map_vector(m, convert<long double>(light.direction));
+        light.direction = convert<double>(exact);
+        return is_finite(light.direction) && light.direction != Vec3d(0, 0, 0);
     }
-    auto& directional = std::get<DirectionalLight>(kind);
-    const auto exact = map_vector(m, convert<long double>(directional.direction));
-    directional.direction = convert<double>(exact);
-    return is_finite(directional.direction) && directional.direction != Vec3d(0, 0, 0);
-}
+    bool operator()(SpotLight& light) const {
+        light.position = moved_point(m, light.position);
+        light.look_at = moved_point(m, light.look_at);
+        return is_finite(light.position) && is_finite(light.look_at) &&
+               light.position != light.look_at;
+    }
+};
 
 }  // namespace
 
@@ -114,7 +117,7 @@ void SceneBuilder::resolve() {
     }
     for (std::size_t i = first_light_; i < scene.lights.size(); ++i) {
         const Node& node = nodes_[light_nodes_[i - first_light_]];
-        if (node.moves && !move(scene.lights[i].kind, node.map))
+        if (node.moves && !std::visit(LightMover{node.map}, scene.lights[i].kind))
             report_.error(Message::transform_singular, scene.lights[i].place);
     }
     make_composites(node_of, own_material);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "judge/validate/place_words.h"
+#include "model/light_facts.h"
 
 namespace lancer::judge {
 
@@ -118,14 +119,14 @@ struct Law {
 };
 
 const std::optional<Fade>* fade_of(const Light& light) {
-    if (const auto* point = std::get_if<PointLight>(&light.kind)) return &point->fade;
-    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) return &spot->fade;
-    return nullptr;
+    return facts_of(light.kind).fade;
 }
 
 void set_fade(Light& light, const std::optional<Fade>& fade) {
-    if (auto* point = std::get_if<PointLight>(&light.kind)) point->fade = fade;
-    if (auto* spot = std::get_if<SpotLight>(&light.kind)) spot->fade = fade;
+    const auto set = [&](auto& kind) {
+        if constexpr (requires { kind.fade; }) kind.fade = fade;
+    };
+    std::visit(set, light.kind);
 }
 
 /// Laws that other programs have. Where our formula's distance is small against all others, its 1

@@ -9,12 +9,14 @@
 
 #include "model/bodies.h"
 #include "model/diagnostic.h"
+#include "model/light_facts.h"
 #include "model/parts.h"
 #include "model/plain_color.h"
 #include "model/requirements.h"
 #include "model/splines.h"
 #include "tracer/bvh/build.h"
 #include "tracer/compile/composite_compiler.h"
+#include "tracer/compile/light_compiler.h"
 #include "tracer/compile/primitive_bounds.h"
 #include "tracer/compile/scale.h"
 #include "tracer/compile/shape_compiler.h"
@@ -114,41 +116,17 @@ class Compiler {
     }
 
     void add_light(const Light& light) {
-        using Kind = typename LightSource<Real>::Kind;
         LightSource<Real> s{};
         s.color = in_range(light.color, light.place, "a light's color");
         s.shadows = light.shadows;
-        const auto unit_of = [](const Vec3d& v) {
-            return normalize(convert<Real>(v / max_component(absolute(v))));
-        };
-        const auto place = [&](const Vec3d& p) { return convert<Real>(scaled(p, scale())); };
-        const auto set_fade = [&](const std::optional<Fade>& fade) {
-            if (!fade) return;
+        const LightFacts facts = facts_of(light.kind);
+        if (facts.position) s.position = convert<Real>(scaled(*facts.position, scale()));
+        if (facts.fade && *facts.fade) {
             s.fades = true;
-            s.fade_distance = length_in_world(fade->distance);
-            s.fade_power = static_cast<Real>(fade->power);
-        };
-        if (const auto* point = std::get_if<PointLight>(&light.kind)) {
-            s.kind = Kind::point;
-            s.position = place(point->position);
-            set_fade(point->fade);
-        } else if (const auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
-            s.kind = Kind::directional;
-            s.direction = -unit_of(sun->direction);
-        } else {
-            const SpotLight& spot = std::get<SpotLight>(light.kind);
-            const auto cosine = [](double angle) {
-                return elementary::cos(static_cast<Real>(angle) *
-                                       static_cast<Real>(std::numbers::pi_v<Wide<Real>> / 180));
-            };
-            s.kind = Kind::spot;
-            s.position = place(spot.position);
-            s.direction = unit_of(scaled(spot.look_at, scale()) - scaled(spot.position, scale()));
-            s.cos_radius = cosine(spot.radius);
-            s.cos_falloff = cosine(spot.falloff);
-            s.tightness = static_cast<Real>(spot.tightness);
-            set_fade(spot.fade);
+            s.fade_distance = length_in_world((*facts.fade)->distance);
+            s.fade_power = static_cast<Real>((*facts.fade)->power);
         }
+        std::visit(LightCompiler<Real>{s, scale()}, light.kind);
         world_->lights.push_back(s);
     }
 

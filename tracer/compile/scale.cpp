@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "model/light_facts.h"
 #include "model/parts.h"
 
 namespace lancer {
@@ -97,9 +98,7 @@ int scale_exponent(const Scene& scene) {
         take(largest(camera.look_at));
     }
     for (const Light& light : scene.lights) {
-        if (const auto* point = std::get_if<PointLight>(&light.kind))
-            take(largest(point->position));
-        if (const auto* spot = std::get_if<SpotLight>(&light.kind)) take(largest(spot->position));
+        if (const Vec3d* position = facts_of(light.kind).position) take(largest(*position));
     }
     return most == -100000 ? 0 : -most;
 }

@@ -1,4 +1,7 @@
-// The hits that are one contact: what a ray meets first, all in one place.
+// The hits that are one contact: what a ray meets first, all in one place. What is decided with it:
+// which hits belong to it (settle(), here), their order (order_contact()), the bodies behind it
+// (crossed() in media.h), what of it is a surface (shading/coincident_surfaces.h), refraction
+// (recursion/whitted.h), shadows (light_by_contacts() in shading/shadow.h). Why: docs/shading.md.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +25,8 @@ template <class Real>
 using Contact = boost::container::small_vector<Hit<Real>, 4>;
 
 /// Collects the hits nearest to the start that are one contact: those whose distances differ by
-/// less than their error bounds together. A hit's own bound counts up to seven times the nearest
-/// one's, so that what belongs to the contact follows from the nearest hit and not from the order
-/// of the search.
+/// less than their error bounds together. A hit's own bound counts up to seven times that of the
+/// nearest hit, so the order of the search cannot change the contact.
 template <class Real>
 class NearestContact {
   public:

@@ -94,8 +94,8 @@ void faces_near(const TriangleMesh<Real>& mesh, const Vec3<Real>& point, Real re
 
 /// What a ray that was turned on a face of a mesh meets before it has gone anywhere, because it
 /// started next to an edge, as near as rounding can tell, and leads through the face behind that:
-/// out of a body that bulges there, or into one that is hollow there. Rounding may let the search
-/// for crossings pass by both faces; here the ray's own word counts for the side that it is on.
+/// out of a body that bulges there, or into one that is hollow there. The search may miss both
+/// faces by rounding, so this function takes the side from the ray's list of bodies.
 ///
 /// \param turn    the face that the ray starts on
 /// \param bodies  that the ray is in

@@ -1,4 +1,5 @@
-// Which crossings count for a ray: where it starts, and what it is in.
+// Which crossings count for a ray, by where it starts (Start) and the bodies that it is in
+// (MediaList, or NoMedia where no world's ray is in any).
 #pragma once
 
 #include <algorithm>

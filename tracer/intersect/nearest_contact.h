@@ -1,4 +1,4 @@
-// What a ray meets next: the nearest contact, or the way to a light.
+// What a ray meets next: the nearest contact. (The way to a light: shading/shadow.h.)
 #pragma once
 
 #include "tracer/bvh/traverse.h"

@@ -1,5 +1,5 @@
-// The recursion in worlds that no light passes through: a surface's own light, and a mirror's.
-// whitted.h has the whole, and is what this is the short form of.
+// The recursion in worlds that no light passes through: a surface's own light, and a mirror's. It
+// is whitted.h without transmission and media.
 #pragma once
 
 #include "tracer/rays/trace_limits.h"

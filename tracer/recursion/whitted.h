@@ -1,6 +1,7 @@
-// The recursion: what a ray brings back.
-// Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980; terms in
-// docs/shading.md.
+// The recursion: what a ray brings back. Glass is here: follow() goes along the ray, bend()
+// refracts, shade() mirrors with Fresnel, transmittance_between() absorbs. The formulas:
+// shading/optics.h. Shadows through glass: shading/shadow.h. For eight rays: wide/glass.h. Whitted,
+// "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980; terms in docs/shading.md.
 #pragma once
 
 #include "tracer/intersect/edge_hits.h"
@@ -26,8 +27,8 @@ class Whitted {
 
     const RayCounts& counts() const { return lighting_.counts; }
 
-    /// Null, or where the share goes that what is behind everything has in a camera ray's light:
-    /// straight, or bent by glass, but not mirrored. It is then left out of the colour.
+    /// For pictures with alpha, else null. It receives the background's share of the camera ray's
+    /// light, met straight or through glass but not in mirrors; the colour leaves that light out.
     Vec3<Real>* seen_through = nullptr;
 
     /// The colour that a camera ray brings. The camera is at parameter `at_camera` (<= 0) of the

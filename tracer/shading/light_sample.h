@@ -35,11 +35,16 @@ template <class Real>
     Real factor = 1;
     if (light.fades)
         factor = 2 / (1 + elementary::pow(at.distance / light.fade_distance, light.fade_power));
-    if (light.kind == Kind::spot) {
-        const Real cosine = -dot(at.direction, light.direction);
-        if (cosine <= 0) {
-            factor = 0;
-        } else {
+    switch (light.kind) {  // each kind: the compiler names one that is missing
+        case Kind::directional:
+        case Kind::point:
+            break;
+        case Kind::spot: {
+            const Real cosine = -dot(at.direction, light.direction);
+            if (cosine <= 0) {
+                factor = 0;
+                break;
+            }
             factor *= elementary::pow(cosine, light.tightness);
             if (cosine < light.cos_radius) {
                 const Real x = std::max(

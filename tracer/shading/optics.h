@@ -1,4 +1,5 @@
-// Light at a surface: mirror, Snell, Fresnel, absorption. Formulas as in docs/shading.md.
+// Light at a surface: mirror, Snell, Fresnel, absorption. Formulas as in docs/shading.md. Who uses
+// them for glass: recursion/whitted.h.
 #pragma once
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 // Where all crossings of the way are clear of each other, of the start and of the light, one search
 // gives the same contacts: each crossing is computed from the same ray by the same formula as
 // there, a contact holds one of them alone, and which of them count follows from the bodies passed
-// so far. What is not as clear is left to light_through(): this is a filter in front of it, and no
-// second truth.
+// so far. Where a condition fails, light_through() goes from contact to contact instead: this is a
+// fast way to the same result.
 #pragma once
 
 #include "tracer/intersect/media.h"
@@ -20,8 +20,7 @@ class SeeThrough {
     /// \param distance  to the light
     SeeThrough(const World<Real>& world, Real distance) : world_(world), distance_(distance) {}
 
-    /// A search must look so far, so that no crossing next to the light is missing here that
-    /// another formula puts before it.
+    /// A search looks a little past the light: another formula may put the same crossing before it.
     Real reach() const { return distance_ * (1 + Real(0x1p-20)); }
 
     /// Takes one crossing of a transmissive primitive.

@@ -31,8 +31,8 @@ struct OcclusionQuery {
     bool looks_through() const { return light_may_pass && see_through != nullptr; }
     bool collects() const { return looks_through() && only_filters(); }
 
-    /// Of a primitive that only filters both ways are asked about: what the ray enters first it may
-    /// leave later.
+    /// A primitive that only filters is asked for entries and exits: the ray may enter it and later
+    /// leave it.
     IntersectionHints hints() const {
         IntersectionHints hints = accept.hints(at);
         if (collects()) hints.one_way = false;

@@ -1,4 +1,4 @@
-// Nobody listens: what a ray does is not recorded.
+// The recorder of ordinary rendering: it is empty.
 #pragma once
 
 namespace lancer {

@@ -271,13 +271,17 @@ void FlatWorld::add(const lancer::Finish<double>& finish, const World<double>& w
 void FlatWorld::add(const LightSource<double>& light, const World<double>& world) {
     using SourceKind = LightSource<double>::Kind;
     Light& l = lights_.emplace_back();
-    if (light.kind == SourceKind::directional) {
-        l.kind = Light::Kind::directional;
-        put(light.direction, l.place);
-    } else {
-        l.kind = light.kind == SourceKind::spot ? Light::Kind::spot : Light::Kind::point;
-        put(light.position, l.place);
+    switch (light.kind) {
+        case SourceKind::point:
+            l.kind = Light::Kind::point;
+            break;
+        case SourceKind::directional:
+            l.kind = Light::Kind::directional;
+            break;
+        case SourceKind::spot:
+            l.kind = Light::Kind::spot;
     }
+    put(light.kind == SourceKind::directional ? light.direction : light.position, l.place);
     l.fades = light.fades;
     l.fade_distance = light.fade_distance;
     l.fade_power = light.fade_power;

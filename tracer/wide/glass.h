@@ -1,6 +1,6 @@
-// Waves of rays in worlds with glass: what is bent and what is mirrored goes on side by side.
-// Whitted for lanes. A ray that meets what wide code does not know, or is unsure of, is the scalar
-// recursion's from there on; what that finds is appended to the ray's chain of terms.
+// recursion/whitted.h for eight rays: waves of rays in worlds with glass, the bent and the mirrored
+// ones side by side. Where a ray meets something that this code does not handle, or a result is
+// unsure, the scalar recursion takes over; what it finds is appended to the ray's chain of terms.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -291,8 +291,8 @@ class GlassPacket {
     GlassPacket(job, wave, level, at).trace();
 }
 
-/// Traces all rays of one level. What they send on waits in the waves of the next, which is traced
-/// before when it is full.
+/// Traces all rays of one level. New rays wait in the waves of the next level. When one of these is
+/// full, it is traced first.
 ///
 /// \param deepest  the deepest level so far that had rays
 inline void trace_level(Job& job, int level, int& deepest) {

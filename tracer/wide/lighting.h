@@ -18,7 +18,13 @@ LANCER_INLINE Numbers light_factor(const Light& light, const LightSamples& at, M
         const Numbers far = select(mask, at.distance / all(light.fade_distance), one);
         factor = all(2.0) / (one + power(far, all(light.fade_power)));
     }
-    if (light.kind != Light::Kind::spot) return factor;
+    switch (light.kind) {
+        case Light::Kind::point:
+        case Light::Kind::directional:
+            return factor;
+        case Light::Kind::spot:
+            break;
+    }
     const Numbers cosine = -dot(at.direction, all(light.axis));
     const Mask front = mask & ~at_most(cosine, zero);
     factor = factor * power(select(front, cosine, one), all(light.tightness));
