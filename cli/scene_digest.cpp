@@ -62,7 +62,7 @@ class SceneDigest {
         all(rows, shift);
     }
     void add(const OneShape auto& shape) {
-        fields(shape, [this](std::string_view, const auto& value) { add(value); });
+        fields(shape, [this](std::string_view, const auto& value) { this->add(value); });
     }
     void add(const TriangleAttributes& s) {
         const auto& [normals, uvs] = s;
