@@ -50,12 +50,14 @@ install_missing() {
         apt-get install -q -y --no-install-recommends "${missing[@]}" >&2
 }
 
-# configure_and_build PRESET [TARGET...]: configures once, then lets the build tool find what changed.
+# configure_and_build PRESET [TARGET...]: configures once, with what stands in the array configure_options, too; then lets the
+# build tool find what changed.
+configure_options=()
 configure_and_build() {
     local preset=$1
     shift
     if command -v ccache > /dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}; fi
-    if [ ! -f "build/$preset/build.ninja" ]; then cmake --preset "$preset" > "build/$preset.log" 2>&1 || {
+    if [ ! -f "build/$preset/build.ninja" ]; then cmake --preset "$preset" "${configure_options[@]}" > "build/$preset.log" 2>&1 || {
         cat "build/$preset.log"
         return 1
     }; fi

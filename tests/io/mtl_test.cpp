@@ -73,7 +73,7 @@ TEST(Mtl, NamesTheLineOfAMistake) {
     EXPECT_TRUE(mtl("").materials.empty());
 }
 
-const std::string square =
+const std::string lone_square =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nmtllib a.mtl\nf 1 2 3 4\nusemtl red\nf 1 2 3 4\nusemtl "
     "blue\nf 1 2 3\nusemtl red\nf 1 3 4\nf 1 1 2\n";
 
@@ -88,12 +88,12 @@ ObjMaterials found(const std::string& obj, const std::map<std::string, std::stri
 }
 
 TEST(ObjMaterials, FacesKnowTheirMaterials) {
-    const LoadedMesh loaded = read_mesh(square, "t.obj");
+    const LoadedMesh loaded = read_mesh(lone_square, "t.obj");
     EXPECT_THAT(loaded.face_materials, ElementsAre(0, 0, 1, 1, 2, 1));
     EXPECT_THAT(loaded.materials, ElementsAre("", "red", "blue"));
     EXPECT_TRUE(loaded.warnings.empty());
     const ObjMaterials all = found(
-        square, {{"dir/a.mtl", "newmtl blue\nKd 0 0 1\nmap_Kd x.png\nnewmtl red\nKd 1 0 0\n"}},
+        lone_square, {{"dir/a.mtl", "newmtl blue\nKd 0 0 1\nmap_Kd x.png\nnewmtl red\nKd 1 0 0\n"}},
         "dir/t.obj");
     ASSERT_EQ(all.materials.size(), 3u);
     EXPECT_FALSE(all.materials[0]);
@@ -117,20 +117,20 @@ TEST(ObjMaterials, OneForAllFacesIsTheMeshs) {
 }
 
 TEST(ObjMaterials, WhatIsMissingIsAWarning) {
-    EXPECT_THAT(found(square, {}).warnings,
+    EXPECT_THAT(found(lone_square, {}).warnings,
                 ElementsAre("t.obj:5: no materials: cannot read 'a.mtl'"));
     EXPECT_THAT(
-        found(square, {{"a.mtl", "newmtl red\nKd red\n"}}).warnings,
+        found(lone_square, {{"a.mtl", "newmtl red\nKd red\n"}}).warnings,
         ElementsAre("t.obj:5: no materials: a.mtl:2: a part of a colour expected, not 'red'"));
-    EXPECT_THAT(found(square, {{"a.mtl", "newmtl red\nTf 1\n"}}).warnings,
+    EXPECT_THAT(found(lone_square, {{"a.mtl", "newmtl red\nTf 1\n"}}).warnings,
                 ElementsAre("a.mtl: skipped, as Lancer has nothing like it: Tf (line 2)",
                             "t.obj: materials that no library has: 'blue'"));
-    EXPECT_THAT(found("mtllib\n" + square, {{"a.mtl", "newmtl red\nnewmtl blue\n"}}).warnings,
+    EXPECT_THAT(found("mtllib\n" + lone_square, {{"a.mtl", "newmtl red\nnewmtl blue\n"}}).warnings,
                 ElementsAre("t.obj:1: no materials: no file is named"));
 }
 
 TEST(ObjMaterials, ALineNamesOneLibraryWithBlanksOrSeveral) {
-    const std::string obj = "mtllib my colours.mtl\nmtllib a.mtl\n" + square;
+    const std::string obj = "mtllib my colours.mtl\nmtllib a.mtl\n" + lone_square;
     const ObjMaterials one = found(obj, {{"my colours.mtl", "newmtl red\nKd 1 0 0\n"},
                                          {"a.mtl", "newmtl red\nnewmtl blue\nKd 0 0 1\n"}});
     EXPECT_TRUE(one.warnings.empty());
@@ -145,7 +145,7 @@ TEST(ObjMaterials, ALineNamesOneLibraryWithBlanksOrSeveral) {
 
 TEST(ObjMaterials, NoNameIsStandardInput) {
     const ObjMaterials read =
-        found("mtllib -\n" + square, {{"./-", "newmtl red\n"}, {"a.mtl", ""}});
+        found("mtllib -\n" + lone_square, {{"./-", "newmtl red\n"}, {"a.mtl", ""}});
     EXPECT_TRUE(read.materials.at(1));
 }
 

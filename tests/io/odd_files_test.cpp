@@ -31,26 +31,28 @@ void expect_read(const std::vector<OddMesh>& files, const char* name) {
     }
 }
 
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string one_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 TEST(OddFiles, TenObj) {
     expect_read(
-        {{"a byte order mark", "\xEF\xBB\xBF" + triangle + "f 1 2 3\n", 3, 1},
+        {{"a byte order mark", "\xEF\xBB\xBF" + one_triangle + "f 1 2 3\n", 3, 1},
          {"tabs, blanks in front, CR LF",
           "\tv  0\t0 0 \r\n  v 1 0 0\r\nv 0 1 0\t\r\n f\t1 2 3 \r\n", 3, 1},
          {"a weight behind each place", "v 0 0 0 1.0\nv 1 0 0 1.0\nv 0 1 0 1.0\nf 1 2 3\n", 3, 1},
          {"texture places of three numbers, of one",
-          triangle + "vt 0 0 0\nvt 1\nvt 1 1 0\nf 1/1 2/2 3/3\n", 3, 1},
+          one_triangle + "vt 0 0 0\nvt 1\nvt 1 1 0\nf 1/1 2/2 3/3\n", 3, 1},
          {"a pentagon with a comment behind it",
           "v 0 0 0\nv 2 0 0\nv 3 1 0\nv 1 2 0\nv -1 1 0\nf 1 2 3 4 5 # five\n", 5, 3},
-         {"a statement over three lines", triangle + "f 1 \\\n2 \\\r\n3\n", 3, 1},
+         {"a statement over three lines", one_triangle + "f 1 \\\n2 \\\r\n3\n", 3, 1},
          {"numbers as people type them", "v .0 0. +0\nv 1e0 -0 0\nv 0 1E+0 0e5\nf 1 2 3\n", 3, 1},
          {"groups without names, smoothing off, objects with blanks",
-          "o my object 1\ng\n" + triangle + "s off\ng a b c\nf 1 2 3\ns 1\n", 3, 1},
-         {"negative indices with normals", triangle + "vn 0 0 1\nf -3//-1 -2//-1 -1//-1\n", 3, 1},
-         {"no new line at the end, and blank lines", "\n\n" + triangle + "\n#end\nf 1 2 3", 3, 1},
+          "o my object 1\ng\n" + one_triangle + "s off\ng a b c\nf 1 2 3\ns 1\n", 3, 1},
+         {"negative indices with normals", one_triangle + "vn 0 0 1\nf -3//-1 -2//-1 -1//-1\n", 3,
+          1},
+         {"no new line at the end, and blank lines", "\n\n" + one_triangle + "\n#end\nf 1 2 3", 3,
+          1},
          {"points, lines, curves between faces",
-          triangle +
+          one_triangle +
               "p 1\nl 1 2 3\nf 1 2 3\ncstype bezier\ndeg 3\ncurv 0 1 1 2 3 1\nend\nf 3 2 1\n",
           3, 2}},
         "odd.obj");

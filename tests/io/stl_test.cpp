@@ -26,7 +26,7 @@ std::string stl_error(const std::string& bytes) {
 using Triangle = std::array<std::array<float, 3>, 3>;
 
 /// A closed tetrahedron with one corner at -0, as cutting tools write it.
-const std::vector<Triangle> tetrahedron{
+const std::vector<Triangle> stl_tetrahedron{
     {{{0, 0, 0}, {0, 1, 0}, {0.1f, 0, 0}}},
     {{{-0.0f, 0, 0}, {0.1f, 0, 0}, {0, 0, 1}}},
     {{{0.1f, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
@@ -89,7 +89,7 @@ void expect_closed(const Mesh& mesh) {
 }
 
 TEST(Stl, MergesEqualCornersSoThatAClosedSurfaceIsClosed) {
-    for (const std::string& bytes : {binary(tetrahedron), text(tetrahedron)}) {
+    for (const std::string& bytes : {binary(stl_tetrahedron), text(stl_tetrahedron)}) {
         const LoadedMesh loaded = stl(bytes);
         EXPECT_EQ(loaded.mesh.vertices.size(), 4u);
         EXPECT_EQ(loaded.mesh.faces.size(), 4u);
@@ -99,12 +99,12 @@ TEST(Stl, MergesEqualCornersSoThatAClosedSurfaceIsClosed) {
 }
 
 TEST(Stl, KeepsThePrecisionOfTheFile) {
-    EXPECT_EQ(stl(binary(tetrahedron)).mesh.vertices[2].x, static_cast<double>(0.1f));
-    EXPECT_EQ(stl(text(tetrahedron)).mesh.vertices[2].x, 0.1);
+    EXPECT_EQ(stl(binary(stl_tetrahedron)).mesh.vertices[2].x, static_cast<double>(0.1f));
+    EXPECT_EQ(stl(text(stl_tetrahedron)).mesh.vertices[2].x, 0.1);
 }
 
 TEST(Stl, ABinaryFileMayBeginWithSolid) {
-    EXPECT_EQ(stl(binary(tetrahedron, "solid by a careless program")).mesh.faces.size(), 4u);
+    EXPECT_EQ(stl(binary(stl_tetrahedron, "solid by a careless program")).mesh.faces.size(), 4u);
 }
 
 TEST(Stl, MergesManyVertices) {
@@ -124,8 +124,8 @@ TEST(Stl, MergesManyVertices) {
 }
 
 TEST(Stl, ReadsTextInAnyCaseWithSeveralSolids) {
-    EXPECT_EQ(stl(text(tetrahedron, "\r\n")).mesh.faces.size(), 4u);
-    EXPECT_EQ(stl(text(tetrahedron) + text(tetrahedron)).mesh.faces.size(), 8u);
+    EXPECT_EQ(stl(text(stl_tetrahedron, "\r\n")).mesh.faces.size(), 4u);
+    EXPECT_EQ(stl(text(stl_tetrahedron) + text(stl_tetrahedron)).mesh.faces.size(), 8u);
     EXPECT_EQ(stl("SOLID\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 VERTEX 0 1 0 "
                   "ENDLOOP ENDFACET\nENDSOLID")
                   .mesh.faces.size(),
@@ -133,14 +133,14 @@ TEST(Stl, ReadsTextInAnyCaseWithSeveralSolids) {
 }
 
 TEST(Stl, DropsAndCountsDegenerateTriangles) {
-    std::vector<Triangle> triangles = tetrahedron;
+    std::vector<Triangle> triangles = stl_tetrahedron;
     triangles.push_back({{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}});
     triangles.push_back({{{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}});
     EXPECT_EQ(stl(binary(triangles)).degenerate, 2u);
 }
 
 TEST(Stl, RefusesEveryTruncation) {
-    for (const std::string& bytes : {binary(tetrahedron), text(tetrahedron)}) {
+    for (const std::string& bytes : {binary(stl_tetrahedron), text(stl_tetrahedron)}) {
         const std::size_t last = bytes[0] == 's' ? bytes.find("endsolid") + 8 : bytes.size();
         for (std::size_t size = 0; size < last; ++size) {
             EXPECT_THROW(stl(bytes.substr(0, size)), FileError) << size;
@@ -149,13 +149,13 @@ TEST(Stl, RefusesEveryTruncation) {
 }
 
 TEST(Stl, NamesThePlaceOfAMistake) {
-    std::vector<Triangle> triangles = tetrahedron;
+    std::vector<Triangle> triangles = stl_tetrahedron;
     triangles[1][2][0] = std::numeric_limits<float>::infinity();
     EXPECT_THAT(stl_error(binary(triangles)), StartsWith("t.stl: byte 182: a coordinate is not"));
     EXPECT_THAT(stl_error(binary({})), HasSubstr("no faces"));
     EXPECT_THAT(stl_error(""), HasSubstr("truncated"));
     EXPECT_THAT(stl_error("hello"), HasSubstr("truncated"));
-    std::string wrong = text(tetrahedron);
+    std::string wrong = text(stl_tetrahedron);
     wrong.replace(wrong.find("vertex"), 6, "vertix");
     EXPECT_THAT(stl_error(wrong), StartsWith("t.stl:4: 'vertex' expected, not 'vertix'"));
     EXPECT_THAT(stl_error("solid\nendsolid\n"), HasSubstr("no faces"));
@@ -165,7 +165,7 @@ TEST(Stl, NamesThePlaceOfAMistake) {
 
 TEST(Stl, NeverCrashesOnDamage) {
     std::mt19937 random(4);
-    for (const std::string& bytes : {binary(tetrahedron), text(tetrahedron)}) {
+    for (const std::string& bytes : {binary(stl_tetrahedron), text(stl_tetrahedron)}) {
         for (int i = 0; i < 3000; ++i) {
             std::string damaged = bytes;
             for (int k = 0; k < 2; ++k) {
@@ -184,13 +184,13 @@ TEST(Stl, BytesBehindTheTrianglesAreAWarning) {
     for (const char* header : {"made by hand", "solid x"}) {
         std::string head = header;
         head.resize(80, '\0');
-        const LoadedMesh loaded = stl(binary(tetrahedron, head) + std::string("\0\1", 2));
+        const LoadedMesh loaded = stl(binary(stl_tetrahedron, head) + std::string("\0\1", 2));
         EXPECT_EQ(loaded.mesh.faces.size(), 4u);
         EXPECT_THAT(loaded.warnings,
                     testing::ElementsAre("t.stl: byte 80: the file has 286 bytes, but 4 triangles "
                                          "need 284: the rest is skipped"));
-        EXPECT_TRUE(stl(binary(tetrahedron, head)).warnings.empty());
-        EXPECT_EQ(stl_error(binary(tetrahedron, head).substr(0, 283)),
+        EXPECT_TRUE(stl(binary(stl_tetrahedron, head)).warnings.empty());
+        EXPECT_EQ(stl_error(binary(stl_tetrahedron, head).substr(0, 283)),
                   "t.stl: byte 80: the file has 283 bytes, but 4 triangles need 284");
     }
 }

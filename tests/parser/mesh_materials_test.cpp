@@ -19,8 +19,9 @@ const std::string cube =
 const std::string two_colors = "newmtl wall\nKd 0.5 0.4 0.3\nnewmtl roof\nKd 0.7 0.1 0.1\n";
 
 /// Runs a script that finds these texts and meshes, and pictures of any name without "missing".
-test::Result run_with(const std::string& script, const std::map<std::string, std::string>& files,
-                      const Limits& limits = {}) {
+test::Result run_with_files(const std::string& script,
+                            const std::map<std::string, std::string>& files,
+                            const Limits& limits = {}) {
     test::Result result;
     SourceMap sources;
     Loader loader = test::memory_loader(files);
@@ -40,7 +41,7 @@ const Mesh& mesh_of(const test::Result& result, std::size_t object) {
 }
 
 TEST(MeshMaterials, EachIsAnObjectOfItsOwnWithTheShapesAttributes) {
-    const auto result = run_with(
+    const auto result = run_with_files(
         "mesh { file \"a.obj\" name \"house\" shadow false translate [1, 0, 0] smooth false } "
         "sphere { radius 1 }",
         {{"a.obj", cube}, {"cube.mtl", two_colors}});
@@ -62,7 +63,7 @@ TEST(MeshMaterials, EachIsAnObjectOfItsOwnWithTheShapesAttributes) {
 
 TEST(MeshMaterials, AnothersMaterialWins) {
     const std::map<std::string, std::string> files{{"a.obj", cube}, {"cube.mtl", two_colors}};
-    const auto result = run_with(
+    const auto result = run_with_files(
         "sphere { radius 1 } group { mesh { file \"a.obj\" } sphere { radius 2 } "
         "mesh { file \"a.obj\" translate [1, 0, 0] } translate [0, 1, 0] }"
         "mesh { file \"a.obj\" material { color [0, 1, 0] } }"
@@ -87,12 +88,13 @@ TEST(MeshMaterials, AnothersMaterialWins) {
 
 TEST(MeshMaterials, NothingIsReadThatDoesNotCount) {
     const std::map<std::string, std::string> without{{"a.obj", cube}};
-    EXPECT_EQ(run_with("mesh { file \"a.obj\" material { } }", without).messages, "");
-    EXPECT_EQ(run_with("group { mesh { file \"a.obj\" } material { } }", without).messages, "");
+    EXPECT_EQ(run_with_files("mesh { file \"a.obj\" material { } }", without).messages, "");
+    EXPECT_EQ(run_with_files("group { mesh { file \"a.obj\" } material { } }", without).messages,
+              "");
 }
 
 TEST(MeshMaterials, AMissingLibraryIsAWarningAndTheMeshStaysWhole) {
-    const auto result = run_with("mesh { file \"a.obj\" }", {{"a.obj", cube}});
+    const auto result = run_with_files("mesh { file \"a.obj\" }", {{"a.obj", cube}});
     ASSERT_EQ(result.found.size(), 1u) << result.messages;
     EXPECT_EQ(result.found[0].severity, Severity::warning);
     EXPECT_THAT(result.messages, HasSubstr("a.obj:9: no materials: cannot read 'cube.mtl'"));
@@ -102,16 +104,16 @@ TEST(MeshMaterials, AMissingLibraryIsAWarningAndTheMeshStaysWhole) {
 }
 
 TEST(MeshMaterials, WarningsInAGroupNameTheCallsThatLedToTheMesh) {
-    const auto result = run_with("def house() { mesh { file \"a.obj\" } }\ngroup {\n house()\n }",
-                                 {{"a.obj", cube}});
+    const auto result = run_with_files(
+        "def house() { mesh { file \"a.obj\" } }\ngroup {\n house()\n }", {{"a.obj", cube}});
     EXPECT_THAT(result.messages, HasSubstr("main.lancer:3:2: note: "));
 }
 
 TEST(MeshMaterials, PiecesHaveTheNormalsOfTheWhole) {
     const auto result =
-        run_with("mesh { file \"a.obj\" }", {{"a.obj", cube}, {"cube.mtl", two_colors}});
+        run_with_files("mesh { file \"a.obj\" }", {{"a.obj", cube}, {"cube.mtl", two_colors}});
     const auto whole =
-        run_with("mesh { file \"a.obj\" smooth 180 material { } }", {{"a.obj", cube}});
+        run_with_files("mesh { file \"a.obj\" smooth 180 material { } }", {{"a.obj", cube}});
     const Mesh& all = mesh_of(whole, 0);
     std::size_t compared = 0;
     for (const std::size_t object : {0u, 1u}) {
@@ -129,14 +131,14 @@ TEST(MeshMaterials, PiecesHaveTheNormalsOfTheWhole) {
         }
     }
     EXPECT_GE(compared, 36u);
-    const auto sharp =
-        run_with("mesh { file \"a.obj\" smooth 40 }", {{"a.obj", cube}, {"cube.mtl", two_colors}});
+    const auto sharp = run_with_files("mesh { file \"a.obj\" smooth 40 }",
+                                      {{"a.obj", cube}, {"cube.mtl", two_colors}});
     EXPECT_EQ(mesh_of(sharp, 0).normals.size(), 16u);
 }
 
 TEST(MeshMaterials, GlassThatIsOnlyAPieceIsAWarning) {
     const auto glass = [](const std::string& obj) {
-        return run_with(
+        return run_with_files(
             "mesh { file \"a.obj\" }",
             {{"a.obj", obj}, {"cube.mtl", "newmtl wall\nKd 1 1 1\nnewmtl roof\nNi 1.5\nd 0.1\n"}});
     };
@@ -157,9 +159,9 @@ TEST(MeshMaterials, CountAsObjects) {
     limits.objects = 3;
     const std::map<std::string, std::string> files{{"a.obj", cube}, {"cube.mtl", two_colors}};
     const std::string house = "mesh { file \"a.obj\" } ";
-    EXPECT_EQ(run_with(house, files, limits).messages, "");
-    EXPECT_THAT(run_with(house + house, files, limits).messages, HasSubstr("3 objects"));
-    EXPECT_THAT(run_with("group { " + house + house + "}", files, limits).messages,
+    EXPECT_EQ(run_with_files(house, files, limits).messages, "");
+    EXPECT_THAT(run_with_files(house + house, files, limits).messages, HasSubstr("3 objects"));
+    EXPECT_THAT(run_with_files("group { " + house + house + "}", files, limits).messages,
                 HasSubstr("3 objects"));
 }
 
@@ -214,7 +216,7 @@ TEST(MeshMaterials, AnImageNeedsTextureCoordinates) {
     std::string with_uvs = "vt 0 0\nvt 1 0\nvt 0 1\n" + cube;
     with_uvs.replace(with_uvs.find("f 5 6 7 8"), 9, "f 5/1 6/2 7/3 8/3");
     const std::string script = "mesh { file \"a.obj\" }";
-    const auto result = run_with(script, {{"a.obj", with_uvs}, {"cube.mtl", picture}});
+    const auto result = run_with_files(script, {{"a.obj", with_uvs}, {"cube.mtl", picture}});
     EXPECT_EQ(result.messages, "");
     ASSERT_EQ(result.scene.textures.size(), 1u);
     const auto& image = std::get<ImageTexture>(result.scene.textures[0].pattern);
@@ -223,10 +225,10 @@ TEST(MeshMaterials, AnImageNeedsTextureCoordinates) {
     EXPECT_EQ(material(result, 0).texture, 0u);
     EXPECT_EQ(material(result, 0).diffuse, 0.5);
     EXPECT_EQ(material(result, 1).texture, none);
-    const auto plain = run_with(script, {{"a.obj", cube}, {"cube.mtl", picture}});
+    const auto plain = run_with_files(script, {{"a.obj", cube}, {"cube.mtl", picture}});
     EXPECT_EQ(material(plain, 0).texture, none);
     EXPECT_EQ(material(plain, 0).color, Color(0.5, 0.5, 0.5));
-    const auto missing = run_with(
+    const auto missing = run_with_files(
         script,
         {{"a.obj", with_uvs}, {"cube.mtl", "newmtl wall\nmap_Kd missing.png\nnewmtl roof\n"}});
     ASSERT_EQ(missing.found.size(), 1u);

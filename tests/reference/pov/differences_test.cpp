@@ -20,21 +20,21 @@ namespace {
 using testing::HasSubstr;
 using Rule = KnownDifference::Rule;
 
-constexpr ExportView view{0, 160, 120};
+constexpr ExportView small_view{0, 160, 120};
 
-std::string text_of(const Scene& scene) {
-    return export_pov(scene, view, {.keep_lengths = true}).text;
+std::string exported(const Scene& scene) {
+    return export_pov(scene, small_view, {.keep_lengths = true}).text;
 }
 
 /// The objects for which a rule is known to differ.
 std::vector<std::uint32_t> known(const Scene& scene, Rule rule) {
-    for (const KnownDifference& d : export_pov(scene, view).known_differences)
+    for (const KnownDifference& d : export_pov(scene, small_view).known_differences)
         if (d.rule == rule) return d.objects;
     return {};
 }
 
 TEST(KnownDifferences, AreNoneInPlainScenes) {
-    EXPECT_TRUE(export_pov(solids_scene(), view).known_differences.empty());
+    EXPECT_TRUE(export_pov(solids_scene(), small_view).known_differences.empty());
 }
 
 TEST(KnownDifferences, NameBodiesWhoseAbsorptionPovRayApproximates) {
@@ -56,7 +56,7 @@ TEST(KnownDifferences, NameBodiesWhoseAbsorptionPovRayApproximates) {
     scene.materials.back().diffuse_transmission = 0.5;
     EXPECT_THAT(known(scene, Rule::light_from_behind), testing::ElementsAre(0));
     scene.materials.back().transmission = 0;
-    EXPECT_TRUE(export_pov(scene, view).known_differences.empty()) << "nothing gets in";
+    EXPECT_TRUE(export_pov(scene, small_view).known_differences.empty()) << "nothing gets in";
 }
 
 TEST(KnownDifferences, NameAbsorbingMeshesWithInterpolatedNormals) {
@@ -132,7 +132,7 @@ TEST(KnownDifferences, NamePatchesAndSayHowTheyAreHalved) {
     add_object(scene, PatchRef{0});
     scene.materials.emplace_back();
     EXPECT_THAT(known(scene, Rule::patch_facets), testing::ElementsAre(1));
-    const ExportResult result = export_pov(scene, view);
+    const ExportResult result = export_pov(scene, small_view);
     EXPECT_THAT(result.text, HasSubstr("u_steps " + std::to_string(result.patch_halvings[0])));
     EXPECT_EQ(result.unit * result.factor, 1);
 }
@@ -157,7 +157,7 @@ TEST(KnownDifferences, NameTheLimitsOfDepthAndContribution) {
     add_object(scene, Sphere{}, add_material(scene, mirror));
     scene.settings.max_depth = 300;
     EXPECT_THAT(known(scene, Rule::depth_limit), testing::ElementsAre(0));
-    EXPECT_THAT(text_of(scene), HasSubstr("max_trace_level 256"));
+    EXPECT_THAT(exported(scene), HasSubstr("max_trace_level 256"));
     scene.settings.max_depth = 1;
     EXPECT_TRUE(known(scene, Rule::depth_limit).empty()) << "a mirror is black in both";
     scene.materials.back().transmission = 0.1;
@@ -171,7 +171,7 @@ TEST(KnownDifferences, NameThinAndFarBodies) {
     add_object(scene, Box{{0, 0, 0}, {1, 1, 0.001}});
     add_object(scene, Sphere{{1, 1, 1}, 1});
     add_object(scene, Sphere{{2e7, 0, 0}, 1});
-    ASSERT_EQ(export_pov(scene, view).factor, 1);
+    ASSERT_EQ(export_pov(scene, small_view).factor, 1);
     EXPECT_THAT(known(scene, Rule::small_features), testing::ElementsAre(0));
     EXPECT_THAT(known(scene, Rule::far_away), testing::ElementsAre(2));
 }

@@ -11,7 +11,7 @@
 namespace lancer::splines {
 namespace {
 
-constexpr std::size_t enough = 60000;  ///< triangles to sample
+constexpr std::size_t enough = 20000;  ///< triangles to sample
 
 /// The worst sampled distance, in parts of the tolerance.
 double worst_share(const Patch& patch, double tolerance) {
