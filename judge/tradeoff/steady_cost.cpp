@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace lancer::judge {
 namespace {
@@ -20,12 +21,6 @@ constexpr double of_a_shadow = 0.5;    // rays
 double counted(const RayCounts& rays) {
     return static_cast<double>(rays.primary + rays.reflected + rays.transmitted) +
            of_a_shadow * static_cast<double>(rays.shadow);
-}
-
-/// The value that a share of them lie below.
-double quantile_of(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 /// What else the machine does adds to a time and takes nothing from it: low ones are the nearest.
@@ -101,11 +96,19 @@ double noise_of(std::span<const TimedSetting> settings) {
 
 }  // namespace
 
-double median_of(std::vector<double> values) {
+double quantile_of(std::vector<double> values, double share) {
     if (values.empty()) return 0;
     std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+    // Of n random values, a share k / (n + 1) of all lie below the k-th in the mean.
+    const double last = static_cast<double>(values.size() - 1);
+    const double place = std::clamp(share * (last + 2) - 1, 0.0, last);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - std::floor(place)) * (values[above] - values[below]);
+}
+
+double median_of(std::vector<double> values) {
+    return quantile_of(std::move(values), 0.5);
 }
 
 double RaySeconds::of(const TimedSetting& setting) const {

@@ -42,6 +42,9 @@ struct SteadyCosts {
 /// \param settings  at least one, each with at least one run
 SteadyCosts steady_costs(std::span<const TimedSetting> settings);
 
+/// What a share of all values lie below, by some of them: few runs and many say the same in the
+/// mean, as far as few can. 0 of none.
+double quantile_of(std::vector<double> values, double share);
 /// Half of the values lie below it; 0 of none.
 double median_of(std::vector<double> values);
 

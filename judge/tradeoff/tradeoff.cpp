@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -14,19 +13,14 @@
 #include "judge/tradeoff/frontier.h"
 #include "judge/tradeoff/run_setting.h"
 #include "judge/tradeoff/setting_pictures.h"
+#include "judge/tradeoff/trade_plan.h"
 
 namespace lancer::judge {
 namespace {
 
-constexpr double wanted_ratio = 3;           // of the smallest error to the truth's own
-constexpr std::uint32_t first_points = 16;   // of each half of the truth
-constexpr std::uint32_t most_points = 4096;  // of each half
-constexpr std::size_t most_combinations = 16;
-constexpr int fewest_rounds = 3;
-constexpr int most_rounds = 15;
+constexpr double wanted_ratio = 3;              // of the smallest error to the truth's own
 constexpr double short_run = 0.2;               // seconds: what takes longer is run in the fewest
 constexpr double short_rounds = 3;              // seconds that more rounds than the fewest may take
-constexpr double short_pairs = 0.5;             // the same, of pairs of runs
 constexpr std::size_t picture_bytes = 100'000;  // of one on the page
 
 /// What a ray takes depends on it; see TimedSetting.
@@ -44,6 +38,7 @@ class TradeOff {
           options_(options),
           turned_(turned(scene, view)),
           limits_{turned_.uncut.max_depth, turned_.uncut.min_contribution},
+          plan_(scene, view, turned_, options),
           truth_(view, limits_, scene.settings.seed) {
         report_.view = view;
         report_.threads = scene.settings.threads;
@@ -51,7 +46,7 @@ class TradeOff {
     }
 
     TradeOffReport run() {
-        begin();
+        plan_.begin();
         find_truth();
         measure_singles();
         measure_combinations();
@@ -62,60 +57,6 @@ class TradeOff {
     }
 
   private:
-    using Clock = std::chrono::steady_clock;
-    double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
-    bool fits(double seconds) const {
-        return options_.budget == 0 || elapsed() + seconds <= options_.budget;
-    }
-
-    /// Progress through `units` of all that is planned: rays a pixel.
-    Progress stage(const std::string& what, double units) {
-        const double before = done_;
-        done_ += units;
-        if (!options_.progress) return {};
-        return [this, what, units, before](double share) {
-            options_.progress(std::min(0.99, (before + units * share) / planned_), what);
-        };
-    }
-
-    /// Rays a pixel that a setting may take, guessed.
-    double units_of(const TradeSetting& setting) const {
-        if (!setting.max_error) return setting.points();
-        // As in docs/cost-of-accuracy.md, roughly: more draws are needed for small errors.
-        const double finer = 0.01 / *setting.max_error;
-        const double audits =
-            setting.audited ? (100'000 + 40'000 * finer * finer) / report_.pixels() : 0;
-        return 4 + audits + 4 * std::pow(0.01 / *setting.max_error, 4.0 / 3);
-    }
-
-    /// What a ray a pixel takes, and how much of everything there is time for.
-    void begin() {
-        unit_ = 1e300;
-        // The first may meet a busy moment, which counts in a small picture.
-        for (int look = 0; look < 3 && (look == 0 || unit_ < 0.05); ++look) {
-            const TradeSetting one = exact_setting(turned_, 1);
-            unit_ = std::min(unit_,
-                             run_setting(scene_, view_, one, stage("a first look", 1)).cost.wall);
-        }
-        double truth_units = 2 * 384.0;
-        if (options_.budget > 0) {
-            const double least = unit_ * (1 + 2 * first_points + 4);
-            if (!fits(least))
-                throw BudgetTooShort(fmt::format("even a truth and one setting take about {:.2g} s",
-                                                 elapsed() + least));
-            const double rays = options_.budget / unit_;
-            for (const int n : {6, 4, 3, 2})
-                if (samples_ * samples_ > 0.1 * rays) samples_ = n;
-            points_ = static_cast<std::uint32_t>(
-                std::clamp<double>(0.4 * rays / 2, first_points, most_points));
-            truth_units = std::min(truth_units, 2.0 * points_);
-        }
-        double once = 0;
-        for (const TradeSetting& s : single_settings(turned_, samples_)) once += units_of(s);
-        once += samples_ * samples_ + double(most_combinations) * 8;
-        planned_ = 1 + truth_units + fewest_rounds * once;
-    }
-
     /// Errors that are asked for are undercut by a third (docs/cost-of-accuracy.md).
     bool is_good_enough() const {
         const double own = truth_.error();
@@ -134,19 +75,20 @@ class TradeOff {
         const Scene surfaces = with_true_surfaces(std::move(scene));
         const std::unique_ptr<Renderer> renderer = compile(surfaces, surfaces.settings);
         report_.level = name_of(renderer->level());
-        refine(*renderer, first_points);
+        refine(*renderer, TradePlan::first_truth_points);
         // The finest on Sobol points and on a grid.
-        finest_.push_back(measure(exact_setting(turned_, samples_)).value());
-        for (const TradeSetting& s : single_settings(turned_, samples_))
-            if (s.settings.sampling == Sampling::grid && s.settings.samples == samples_ &&
-                fits(unit_ * s.points()))
+        finest_.push_back(measure(exact_setting(turned_, plan_.samples())).value());
+        for (const TradeSetting& s : single_settings(turned_, plan_.samples()))
+            if (s.settings.sampling == Sampling::grid && s.settings.samples == plan_.samples() &&
+                plan_.fits_units(s.points()))
                 if (std::optional<Image> image = measure(s)) finest_.push_back(std::move(*image));
-        while (!is_good_enough() && truth_.points() < points_) {
+        while (!is_good_enough() && truth_.points() < plan_.truth_points()) {
             // By turns 1.5 and 1.33 times as many.
             const std::uint32_t now = truth_.points();
             const bool is_power = (now & (now - 1)) == 0;
-            const std::uint32_t next = std::min(points_, is_power ? now + now / 2 : now / 3 * 4);
-            if (!fits(2 * unit_ * (next - now))) break;
+            const std::uint32_t next =
+                std::min(plan_.truth_points(), is_power ? now + now / 2 : now / 3 * 4);
+            if (!plan_.fits_units(2.0 * (next - now))) break;
             refine(*renderer, next);
         }
         if (truth_.points() > cached) write_truth(options_.cache, key, truth_);
@@ -158,7 +100,8 @@ class TradeOff {
 
     void refine(const Renderer& renderer, std::uint32_t points) {
         if (points > truth_.points())
-            truth_.refine(renderer, points, stage("the truth", 2.0 * (points - truth_.points())));
+            truth_.refine(renderer, points,
+                          plan_.stage("the truth", 2.0 * (points - truth_.points())));
         for (std::size_t i = 0; i < finest_.size(); ++i)
             report_.settings[i].error = error_of(finest_[i], truth_);
     }
@@ -166,16 +109,15 @@ class TradeOff {
     /// Nothing when it is left out.
     std::optional<Image> measure(const TradeSetting& setting) {
         if (!known_.insert(setting.options).second) return std::nullopt;
-        const double expected = units_of(setting) * unit_;
-        if (!report_.settings.empty() && !fits(expected)) {
+        const double units = plan_.units_of(setting);
+        if (!report_.settings.empty() && !plan_.fits_units(units)) {
             leave_out(setting, "no time");
             return std::nullopt;
         }
         Measurement m;
         m.setting = setting;
         try {
-            SettingRun run =
-                run_setting(scene_, view_, setting, stage(setting.label, units_of(setting)));
+            SettingRun run = run_setting(scene_, view_, setting, plan_.stage(setting.label, units));
             m.seconds.push_back(run.cost.processor);
             walls_.push_back(run.cost.wall);
             processor_.push_back(run.cost.processor);
@@ -213,51 +155,42 @@ class TradeOff {
                 cut, 1};
     }
 
-    static bool saves_time_alone(Knob knob) {
-        return knob == Knob::tolerance || knob == Knob::precision || knob == Knob::smooth ||
-               knob == Knob::textures;
-    }
-
-    /// Of the base's, from runs of both by turns: the quickest of each, as in quiet moments.
-    double share_of_time(const TradeSetting& setting) {
-        double base = 1e300;
-        double turned = 1e300;
-        double spent = 0;
-        for (int pair = 0; pair < most_rounds && (pair < fewest_rounds || spent < short_pairs);
-             ++pair) {
-            if (!fits(4 * unit_ * setting.points())) break;
-            const double one = run_setting(scene_, view_, base_.setting, {}).cost.processor;
-            const double other = run_setting(scene_, view_, setting, {}).cost.processor;
-            base = std::min(base, one);
-            turned = std::min(turned, other);
-            spent += one + other;
-        }
-        return turned / std::max(1e-6, base);
+    double share_of_base_time(const TradeSetting& setting) {
+        const auto seconds_of = [&](const TradeSetting& s) {
+            const std::string what = setting.label + ", beside the base";
+            return run_setting(scene_, view_, s, plan_.stage(what, s.points())).cost.processor;
+        };
+        return share_of_time(
+            plan_.pairs_of(setting), [&] { return seconds_of(base_.setting); },
+            [&] { return seconds_of(setting); },
+            // Twice: what a knob leaves out may be dearer than a ray.
+            [&] { return plan_.fits_units(4 * setting.points()); });
     }
 
     /// Errors that are asked for come after combinations: more of the frontier hangs on these.
     void measure_errors() {
-        for (const TradeSetting& setting : single_settings(turned_, samples_))
+        for (const TradeSetting& setting : single_settings(turned_, plan_.samples()))
             if (setting.max_error) measure(setting);
     }
 
     void measure_singles() {
-        const TradeSetting base = base_setting(turned_, samples_);
+        const TradeSetting base = base_setting(turned_, plan_.samples());
         const std::optional<Image> made = measure(base);
         const Image& base_image = made ? *made : finest_[0];
         base_ = effect(made ? report_.settings.size() - 1 : 0, 0);
         for (std::size_t i = 0; i < report_.settings.size(); ++i) singles_.push_back(effect(i, 0));
         measure(own_setting(turned_));
-        for (const TradeSetting& setting : quality_settings(turned_, samples_)) measure(setting);
+        for (const TradeSetting& setting : quality_settings(turned_, plan_.samples()))
+            measure(setting);
         std::set<Knob> without_effect;  // what is finer still has none either
-        for (const TradeSetting& setting : single_settings(turned_, samples_)) {
+        for (const TradeSetting& setting : single_settings(turned_, plan_.samples())) {
             if (setting.max_error || without_effect.contains(setting.knob)) continue;
             const std::optional<Image> image = measure(setting);
             if (!image) continue;
             const bool is_cut = cuts(setting.knob);
             const double cut = is_cut ? mean_square_between(*image, base_image) : 0;
             singles_.push_back(effect(report_.settings.size() - 1, cut));
-            if (saves_time_alone(setting.knob)) singles_.back().time = share_of_time(setting);
+            if (saves_time_alone(setting.knob)) singles_.back().time = share_of_base_time(setting);
             if (is_cut && cut == 0 && setting.knob != Knob::precision)
                 without_effect.insert(setting.knob);
         }
@@ -284,7 +217,7 @@ class TradeOff {
                                       fewest_rounds, most_rounds);
         for (int round = 1; round < rounds; ++round) {
             const bool all = round < fewest_rounds;
-            if (!fits(1.1 * (all ? once : once_short))) {
+            if (!plan_.fits(1.1 * (all ? once : once_short))) {
                 if (round < fewest_rounds)
                     report_.left_out.push_back(
                         {"more rounds", fmt::format("no time; times are of {}", round)});
@@ -293,8 +226,9 @@ class TradeOff {
             for (std::size_t i = 0; i < report_.settings.size(); ++i) {
                 if (!all && processor_[i] > short_run) continue;
                 Measurement& m = report_.settings[i];
-                const SettingRun run = run_setting(scene_, view_, m.setting,
-                                                   stage(m.setting.label, units_of(m.setting)));
+                const SettingRun run =
+                    run_setting(scene_, view_, m.setting,
+                                plan_.stage(m.setting.label, plan_.units_of(m.setting)));
                 m.seconds.push_back(run.cost.processor);
             }
         }
@@ -319,7 +253,7 @@ class TradeOff {
         report_.truth_error = truth_.error();
         if (options_.with_pictures)
             report_.truth_png = preview_of(truth_.image(), picture_bytes).png;
-        report_.seconds = elapsed();
+        report_.seconds = plan_.elapsed();
     }
 
     const Scene& scene_;
@@ -327,14 +261,9 @@ class TradeOff {
     const TradeOffOptions& options_;
     const TurnedScene turned_;
     const TraceLimits limits_;
+    TradePlan plan_;
     TruePicture truth_;
     TradeOffReport report_;
-    Clock::time_point begin_ = Clock::now();
-    double unit_ = 0;                     ///< seconds of a ray a pixel
-    int samples_ = 8;                     ///< of the exact setting, each way
-    std::uint32_t points_ = most_points;  ///< of each half of the truth, at most
-    double planned_ = 1;                  ///< rays a pixel
-    double done_ = 0;
     std::vector<Image> finest_;  ///< pictures of the first settings
     std::vector<double> walls_;
     std::vector<double> processor_;  ///< seconds of the first runs

@@ -14,6 +14,7 @@
 #include "judge/tradeoff/measured_error.h"
 #include "judge/tradeoff/run_setting.h"
 #include "judge/tradeoff/steady_cost.h"
+#include "judge/tradeoff/trade_plan.h"
 #include "judge/tradeoff/tradeoff.h"
 #include "judge/tradeoff/tradeoff_text.h"
 #include "judge/tradeoff/truth_cache.h"
@@ -153,6 +154,37 @@ TEST(SteadyCost, KeepsItsOrderOnABusyMachine) {
         by_cost += out_of_order(steady_costs(busy).seconds);
     }
     EXPECT_LT(4 * by_cost, by_time);
+}
+
+/// A setting that is run less often than others must not look cheaper or dearer for that.
+TEST(SteadyCost, OfFewRunsIsThatOfManyInTheMean) {
+    std::mt19937 random(5);
+    for (const std::size_t runs : {3U, 4U, 5U, 7U, 9U, 15U}) {
+        double sum = 0;
+        constexpr int tries = 4000;
+        for (int k = 0; k < tries; ++k) {
+            std::vector<double> seconds(runs);
+            for (double& s : seconds) s = static_cast<double>(random()) / 4294967296.0;
+            sum += quantile_of(seconds, 0.25);
+        }
+        EXPECT_NEAR(sum / tries, 0.25, 0.02) << runs;
+    }
+    EXPECT_EQ(quantile_of({7}, 0.25), 7);
+    EXPECT_EQ(median_of({4, 1, 3, 2}), 2.5);
+}
+
+TEST(TradePlan, ComparesRunsByTurns) {
+    std::string order;
+    const auto run = [&](char name, double seconds) {
+        return [&order, name, seconds] {
+            order += name;
+            return seconds;
+        };
+    };
+    const double share = share_of_time(3, run('b', 2), run('t', 1), [] { return true; });
+    EXPECT_EQ(order, "bttbbt");
+    EXPECT_EQ(share, 0.5);
+    EXPECT_EQ(share_of_time(3, run('b', 2), run('t', 1), [] { return false; }), 1);
 }
 
 TEST(SteadyCost, OfOneSettingIsItsTimeInAQuietMoment) {
