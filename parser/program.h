@@ -29,8 +29,8 @@ struct LoadedScript {
 };
 
 struct Program {
-    Symbols symbols;
-    Vocabulary vocabulary{symbols};
+    Symbols symbols = language_words().symbols;
+    const Vocabulary& vocabulary = language_words().vocabulary;
     ast::File main;
 
     std::map<std::string, LoadedScript> scripts;  ///< included ones, by normal path

@@ -71,4 +71,11 @@ class Vocabulary {
     PropertySet any_light_;
 };
 
+/// The language's own words, which have the same numbers in every program.
+struct LanguageWords {
+    Symbols symbols;
+    Vocabulary vocabulary{symbols};
+};
+const LanguageWords& language_words();
+
 }  // namespace lancer
