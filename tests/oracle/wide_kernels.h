@@ -28,6 +28,8 @@ struct WideKernels {
     void (*box)(const wide::Box& box, const wide::LaneRay* rays, double limit, WideAnswer* out);
     void (*frustum)(const wide::Frustum& frustum, const wide::LaneRay* rays, double limit,
                     WideAnswer* out);
+    void (*torus)(const wide::Torus& torus, const wide::LaneRay* rays, double limit,
+                  WideAnswer* out);
     void (*plane)(const wide::Plane& plane, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
     /// The first triangle of the block. `unsure`: a ray with all four did not find that it may
@@ -41,6 +43,9 @@ struct WideKernels {
                        WideAnswer* out);
     void (*frustum_shadow)(const wide::Frustum& frustum, const wide::LaneRay* rays, double distance,
                            WideAnswer* out);
+    /// \param own  the rays start on it
+    void (*torus_shadow)(const wide::Torus& torus, const wide::LaneRay* rays, bool own,
+                         double distance, WideAnswer* out);
     void (*plane_shadow)(const wide::Plane& plane, const wide::LaneRay* rays, double distance,
                          WideAnswer* out);
     void (*slabs)(const wide::Tree& tree, const wide::LaneRay* rays, double limit, WideSlabs* out);

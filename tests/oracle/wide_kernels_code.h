@@ -62,6 +62,13 @@ inline void frustum_kernel(const Frustum& frustum, const LaneRay* rays, double l
     put_answers(hits, out);
     for (int i = 0; i < lanes; ++i) out[i].face = out[i].hit ? hits.face[i] : 0;
 }
+inline void torus_kernel(const Torus& torus, const LaneRay* rays, double limit,
+                         oracle::WideAnswer* out) {
+    NearestHits hits;
+    hits.limit = all(limit);
+    hits.unsure |= torus_crossings(Scene{}, torus, 0, rays_of(rays), 255, 0, hits);
+    put_answers(hits, out);
+}
 inline void plane_kernel(const Plane& plane, const LaneRay* rays, double limit,
                          oracle::WideAnswer* out) {
     NearestHits hits;
@@ -110,6 +117,11 @@ inline void box_shadow_kernel(const Box& box, const LaneRay* rays, double distan
 inline void frustum_shadow_kernel(const Frustum& frustum, const LaneRay* rays, double distance,
                                   oracle::WideAnswer* out) {
     const FrustumShadow shadow(frustum, rays_of(rays), 255, all(distance));
+    put_answers(shadow.blocks, shadow.unsure, out);
+}
+inline void torus_shadow_kernel(const Torus& torus, const LaneRay* rays, bool own, double distance,
+                                oracle::WideAnswer* out) {
+    const TorusShadow shadow(Scene{}, torus, rays_of(rays), 255, own ? 255 : 0, all(distance));
     put_answers(shadow.blocks, shadow.unsure, out);
 }
 inline void plane_shadow_kernel(const Plane& plane, const LaneRay* rays, double distance,
@@ -220,6 +232,7 @@ inline void surfaces_kernel(const Scene& scene, ExactMethods& exact, const LaneR
         put(s.color, i, out[i].color);
         out[i].error = lane(s.error, i);
         out[i].opacity = lane(s.opacity, i);
+        out[i].outermost = s.convex[i] != nothing;
     }
 }
 
@@ -247,10 +260,10 @@ inline void arc_cosine_kernel(const double* x, double* out) {
 }
 
 inline constexpr oracle::WideKernels kernels{
-    ball_kernel,           from_ball_kernel,    box_kernel,         frustum_kernel,
-    plane_kernel,          triangle_kernel,     ball_shadow_kernel, box_shadow_kernel,
-    frustum_shadow_kernel, plane_shadow_kernel, slabs_kernel,       local_kernel,
-    alone_kernel,          lone_mesh_kernel,    surfaces_kernel,    bend_kernel,
-    power_kernel,          arc_cosine_kernel};
+    ball_kernel,       from_ball_kernel,      box_kernel,          frustum_kernel,
+    torus_kernel,      plane_kernel,          triangle_kernel,     ball_shadow_kernel,
+    box_shadow_kernel, frustum_shadow_kernel, torus_shadow_kernel, plane_shadow_kernel,
+    slabs_kernel,      local_kernel,          alone_kernel,        lone_mesh_kernel,
+    surfaces_kernel,   bend_kernel,           power_kernel,        arc_cosine_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

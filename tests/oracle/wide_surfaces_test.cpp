@@ -38,7 +38,7 @@ class NoMethods final : public wide::ExactMethods {
     void light_share(const wide::LaneRay&, const wide::LaneStart&, double, double*) override {}
 };
 
-/// Balls, boxes, cylinders, cones and planes, and meshes in frames, smooth and flat.
+/// Balls, boxes, cylinders, cones and planes, and rings and meshes in frames, smooth and flat.
 Scene shapes(std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     const auto place = [&] {
@@ -65,14 +65,14 @@ Scene shapes(std::mt19937_64& random) {
                                                        {0.9, {0.7, 0.5, 1}}}})};
     s.add(Plane{{0, 1, 0}, -0.3}, materials[0]);
     s.add(Plane{{unit(random), 1, unit(random)}, -0.5}, materials[3]);
-    for (int i = 0; i < 18; ++i) {
+    for (int i = 0; i < 21; ++i) {
         const double size = 0.1 + 0.5 * unit(random);
         const std::uint32_t material = materials[random() % 5];
         const Vec3d p = place();
         const Affine<double> map = compose(
             extremes::shift(place()), compose(extremes::turn(i % 3, 360 * unit(random)),
                                               extremes::stretched(1, 0.5 + unit(random), 0.5)));
-        switch (i % 6) {
+        switch (i % 7) {
             case 0:
                 s.add(Sphere{p, size}, material);
                 break;
@@ -91,6 +91,10 @@ Scene shapes(std::mt19937_64& random) {
                 s.add(Cone{p, p + size * place(), size / 2, random() % 2 == 0 ? 0 : size / 3,
                            random() % 2 == 0},
                       material);
+                break;
+            case 5:
+                s.add(Torus{size, size * 0.9 * unit(random)}, material,
+                      i < 7 ? Affine<double>{} : map);
                 break;
             default:
                 s.add(extremes::icosphere(Vec3d(0), size, 2), material, map);
@@ -160,6 +164,7 @@ TEST(OracleWide, Surfaces) {
                     expect_same(out[j].color, s.color, "color");
                     EXPECT_EQ(out[j].error, s.error);
                     EXPECT_EQ(out[j].opacity, s.opacity);
+                    EXPECT_EQ(out[j].outermost, s.primitive->convex || s.outermost);
                     ++checked;
                 }
             }

@@ -87,6 +87,59 @@ void expect_boxes_hold_their_meshes() {
     EXPECT_LT(all, 0.85 * of_corners);
 }
 
+/// The same of rings: of places all over each.
+template <class Real>
+void expect_boxes_hold_their_rings() {
+    double all = 0;
+    double of_corners = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        extremes::Stage s;
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        Affine<double> map;
+        for (Vec3d& row : map.rows)
+            row = Vec3d(unit(random), unit(random), unit(random)) * std::pow(10.0, unit(random));
+        map.shift = Vec3d(unit(random), unit(random), unit(random)) * 10.0;
+        s.add(Torus{1.5, 1.5 * std::pow(10.0, 3 * unit(random) - 3)}, s.matt({1, 1, 1}), map);
+        const auto world = compile_world<Real>(s.scene, s.scene.settings);
+        const Primitive<Real>& p = world->primitives.front();
+        const Bounds<Real> box = box_in_tree(*world, p);
+        const auto& torus = std::get<TorusSolid<Real>>(p.solid);
+        const auto to_world = convert<long double>(world->frames[p.frame].to_world);
+        const long double ring = torus.ring * torus.grow;
+        const long double tube = torus.tube * torus.grow;
+        std::uniform_real_distribution<long double> angle(0, 6.2831853L);
+        Vec3<long double> low(1e30L);
+        Vec3<long double> high(-1e30L);
+        for (int i = 0; i < 4000; ++i) {
+            const long double around = angle(random);
+            const long double round = angle(random);
+            const long double away = ring + tube * std::cos(round);
+            const Vec3<long double> place = map_point(
+                to_world,
+                {away * std::cos(around), tube * std::sin(round), away * std::sin(around)});
+            for (int a = 0; a < 3; ++a) {
+                low[a] = std::min(low[a], place[a]);
+                high[a] = std::max(high[a], place[a]);
+            }
+        }
+        for (int a = 0; a < 3; ++a) {
+            EXPECT_GE(low[a], box.min[a]) << "seed " << seed;
+            EXPECT_LE(high[a], box.max[a]) << "seed " << seed;
+            EXPECT_LT(box.max[a] - box.min[a], (high[a] - low[a]) * 1.1L) << "seed " << seed;
+        }
+        all += static_cast<double>(half_area(box));
+        of_corners += static_cast<double>(half_area(bounds_of(*world, p)));
+    }
+    EXPECT_LT(all, 0.75 * of_corners);
+}
+
+TEST(World, TheBoxOfATurnedRingHoldsIt) {
+    expect_boxes_hold_their_rings<float>();
+    expect_boxes_hold_their_rings<double>();
+    expect_boxes_hold_their_rings<long double>();
+}
+
 TEST(World, TheBoxOfATurnedMeshHoldsIt) {
     expect_boxes_hold_their_meshes<float>();
     expect_boxes_hold_their_meshes<double>();

@@ -129,12 +129,32 @@ void for_each_box_near_root(const Bvh<Real>& bvh, const BvhNode<Real>& node, int
     }
 }
 
+/// A torus is a circle with a ball round each of its points; along each axis of the world both
+/// reach as far as an ellipse and an ellipsoid do. So that computed points of it are in the box,
+/// too, it is larger by some roundings.
+template <class Real>
+Bounds<Real> box_of_turned(const TorusSolid<Real>& torus, const Affine<Real>& to_world) {
+    using std::sqrt;
+    Vec3<Real> reach(0);
+    for (int i = 0; i < 3; ++i) {
+        const Vec3<Real>& given = to_world.rows[static_cast<std::size_t>(i)];
+        const Real size = max_component(absolute(given));
+        if (!(size > 0)) continue;
+        const Vec3<Real> row = given / size;  // its squares stay in the range
+        const Real circle = sqrt(row.x * row.x + row.z * row.z);
+        reach[i] = (torus.ring * circle + torus.tube * length(row)) * (size * torus.grow);
+    }
+    return widened(around(to_world.shift, reach * (1 + gamma<Real>(32))));
+}
+
 /// The same for the tree of the world: what a mesh that is turned reaches, by boxes of its parts. A
 /// box of the corners of its box is up to three times as large in area, and each ray that meets a
 /// box is taken into the mesh's space.
 template <class Real>
 Bounds<Real> box_in_tree(const World<Real>& world, const Primitive<Real>& p) {
     Bounds<Real> box = bounds_of(world, p);
+    if (const auto* torus = std::get_if<TorusSolid<Real>>(&p.solid); torus && p.frame != none)
+        return box_of_turned(*torus, world.frames[p.frame].to_world);
     const auto* instance = std::get_if<MeshInstance<Real>>(&p.solid);
     if (instance == nullptr || p.frame == none) return box;
     const Bvh<Real>& tree = instance->mesh->bvh;

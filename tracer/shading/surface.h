@@ -23,13 +23,15 @@ struct Surface {
     Vec3<Real> color;
     Vec3<Real> transmittance;  ///< T: the share that passes, per channel
     Real opacity;
+    bool outermost = false;  ///< on the convex hull of the primitive
 };
 
-/// The convex solid that a straight line in this direction leaves at the surface, never to meet it
-/// again; none where it goes in, or may come back.
+/// The solid that a straight line in this direction leaves at the surface, never to meet it again;
+/// none where it goes in, or may come back.
 template <class Real>
 std::uint32_t left_for_good(const Surface<Real>& s, const Vec3<Real>& direction) {
-    return s.primitive->convex && dot(s.geometric, direction) > 0 ? s.id.primitive : none;
+    const bool stays_out = s.primitive->convex || s.outermost;
+    return stays_out && dot(s.geometric, direction) > 0 ? s.id.primitive : none;
 }
 
 template <class Real>
@@ -131,6 +133,7 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, Hit<R
                        : unit(map_transposed(frame.linear_inverse, local.shading));
     }
     if (owner.turned) s.geometric = -s.geometric;
+    s.outermost = local.outermost && s.primitive == owner.primitive;
     if (dot(s.normal, ray.dir) > 0) s.normal = -s.normal;
     set_color(world, owner, local, s);
     return s;

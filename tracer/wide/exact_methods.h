@@ -35,6 +35,7 @@ struct LaneHit {
 struct LaneSurface {
     double position[3], position_lo[3], geometric[3], normal[3], color[3];
     double error, opacity;
+    bool outermost;
 };
 
 struct LaneLight {

@@ -93,6 +93,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.frames = frames_.data();
     scene_.boxes = boxes_.data();
     scene_.frustums = frustums_.data();
+    scene_.tori = tori_.data();
     scene_.finishes = finishes_.data();
     scene_.texture_of = textures_.empty() ? nullptr : texture_of_.data();
     scene_.textures = textures_.data();
@@ -114,6 +115,11 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
         item.kind = Kind::mesh;
         item.shape = static_cast<std::uint32_t>(meshes_.size());
         add(*mesh, primitive.frame);
+    }
+    if (const auto* torus = std::get_if<TorusSolid<double>>(&primitive.solid)) {
+        item.kind = Kind::torus;
+        item.shape = static_cast<std::uint32_t>(tori_.size());
+        tori_.push_back({torus->ring, torus->tube, torus->shrink, torus->grow, primitive.frame});
     }
     // A composite shows its leaves' materials, which the exact methods know.
     item.material = primitive.composite() == nullptr ? primitive.material : finish_of_composites_;

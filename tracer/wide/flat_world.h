@@ -37,6 +37,7 @@ class FlatWorld {
     std::map<std::pair<const TriangleMesh<double>*, bool>, const MeshShape*> shapes_of_meshes_;
     std::vector<Box> boxes_;
     std::vector<Frustum> frustums_;
+    std::vector<Torus> tori_;
     std::vector<std::uint32_t> medium_slots_;
     std::vector<Frame> frames_;  ///< as World::frames
     std::vector<Finish> finishes_;

@@ -25,6 +25,7 @@
 #include "tracer/wide/triangles.h"
 //
 #include "tracer/wide/frustum_crossings.h"
+#include "tracer/wide/tori.h"
 //
 #include "tracer/wide/lone_rays.h"
 #include "tracer/wide/meshes.h"
@@ -43,6 +44,7 @@
 #include "tracer/wide/frustum_surfaces.h"
 #include "tracer/wide/simple_surfaces.h"
 #include "tracer/wide/textures.h"
+#include "tracer/wide/torus_surfaces.h"
 //
 #include "tracer/wide/surfaces.h"
 //

@@ -56,7 +56,7 @@ LANCER_INLINE Vectors unit(const Vectors& v, Mask& odd) {
     const Vectors ab = b - a;
     const Vectors ac = c - a;
     const Vectors flat = cross(ab, ac);
-    Vectors offset = hits.u * ab + hits.v * ac;
+    const Vectors offset = hits.u * ab + hits.v * ac;
     Numbers error = weighted_point_error(ab, ac, flat, hits.u, hits.v);
     const Vectors sum = (one - hits.u - hits.v) * na + hits.u * nb + hits.v * nc;
     smooth &= less(zero, dot(sum, sum));
@@ -71,16 +71,9 @@ LANCER_INLINE Vectors unit(const Vectors& v, Mask& odd) {
         normal = unit(shading, odd);
     } else {
         const Frame& frame = scene.frames[placed.frame];
-        const Vectors anchor = map_vector(frame.to_world, a);
-        offset = map_vector(frame.to_world, offset);
-        const VectorPair inner = two_sum(anchor, offset);
-        place = two_sum(all(frame.shift), inner.hi);
-        const Vectors low = place.lo + inner.lo;
-        const VectorPair whole = normalized(place.hi, low);
-        const Mask exact = is_zero(inner.lo);
-        place = {select(exact, place.hi, whole.hi), select(exact, place.lo, whole.lo)};
-        const Numbers size = max_component(absolute(anchor)) + max_component(absolute(offset));
-        error = all(frame.norm) * error + mapping_error(frame, bound<4>() * size, low);
+        const Moved moved(frame, a, offset, error);
+        place = moved.place;
+        error = moved.error;
         geometric = unit(map_transposed(frame.linear_inverse, flat), odd);
         normal = unit(map_transposed(frame.linear_inverse, shading), odd);
     }

@@ -54,6 +54,8 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
         const Frustum& frustum = scene.frustums[item.shape];
         asked = own | (item.glassy ? FrustumGuess(frustum, r, others, hits.limit).unsettled
                                    : frustum_crossings(frustum, index, r, others, hits));
+    } else if (item.kind == Kind::torus && !item.glassy) {
+        asked = torus_crossings(scene, scene.tori[item.shape], index, r, mask, own, hits);
     }
     if (asked != 0) exact_crossings(*job.exact, index, r, starts, asked, hits);
 }

@@ -55,6 +55,12 @@ struct Frustum {
     bool capped, tilted;
 };
 
+/// TorusSolid<double>
+struct Torus {
+    double ring, tube, shrink, grow;
+    std::uint32_t frame;  ///< index into Scene::frames; `nothing`: in world space
+};
+
 /// Frame<double>
 struct Frame {
     double to_world[3][3];
@@ -100,6 +106,7 @@ enum class Kind : std::uint8_t {
     ball,  ///< in world space, as boxes and frustums are
     box,
     frustum,
+    torus,  ///< where it stands, as meshes are
     mesh,
     other,  ///< which scalar code knows
 };
@@ -187,6 +194,7 @@ struct Scene {
     const Frame* frames;
     const Box* boxes;
     const Frustum* frustums;
+    const Torus* tori;
     const Finish* finishes;
     /// Of each item; `nothing` where it has none, or one that scalar code knows alone; null where
     /// no item has one that wide code knows.

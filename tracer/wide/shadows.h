@@ -117,6 +117,11 @@ class ShadowQuery {
             blocked_ |= shadow.blocks;
             ask_exactly(index, own | shadow.unsure);
             return;
+        } else if (item.kind == Kind::torus && !item.glassy) {
+            const TorusShadow shadow(scene_, scene_.tori[item.shape], rays_, mask, own, distance_);
+            blocked_ |= shadow.blocks;
+            ask_exactly(index, shadow.unsure);
+            return;
         } else {
             if (item.glassy)
                 unsure_ |= mask;

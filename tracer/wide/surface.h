@@ -14,8 +14,9 @@ struct Surfaces {
     Vectors position, position_lo, geometric, normal, color, reflection, own;
     Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness, metallic;
     Numbers ior, fresnel;
-    alignas(32) std::uint32_t convex[lanes];  ///< the items of the hits that are, else `nothing`
-    SurfacePoints* points;                    ///< null: nobody asks
+    alignas(32)
+        std::uint32_t convex[lanes];  ///< the items of hits on their convex hulls, else `nothing`
+    SurfacePoints* points;            ///< null: nobody asks
 
     LANCER_INLINE void note(Mask mask, const Vectors& anchor, const Vectors& offset,
                             const Numbers& of_point) {
@@ -40,5 +41,25 @@ LANCER_INLINE void put(Mask mask, const Vectors& anchor, const Vectors& offset,
     s.note(mask, anchor, offset, error);
     put(mask, two_sum(anchor, offset), error, normal, s);
 }
+
+/// A point in an object's own space, and where it is in the world: make_surface().
+struct Moved {
+    VectorPair place;
+    Numbers error;
+
+    LANCER_INLINE Moved(const Frame& frame, const Vectors& from, const Vectors& by,
+                        const Numbers& of_point) {
+        const Vectors anchor = map_vector(frame.to_world, from);
+        const Vectors offset = map_vector(frame.to_world, by);
+        const VectorPair inner = two_sum(anchor, offset);
+        place = two_sum(all(frame.shift), inner.hi);
+        const Vectors low = place.lo + inner.lo;
+        const VectorPair whole = normalized(place.hi, low);
+        const Mask exact = is_zero(inner.lo);
+        place = {select(exact, place.hi, whole.hi), select(exact, place.lo, whole.lo)};
+        const Numbers size = max_component(absolute(anchor)) + max_component(absolute(offset));
+        error = all(frame.norm) * of_point + mapping_error(frame, bound<4>() * size, low);
+    }
+};
 
 }  // namespace lancer::wide::LANCER_LEVEL

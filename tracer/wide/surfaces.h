@@ -15,6 +15,7 @@ namespace lancer::wide::LANCER_LEVEL {
         set_lane(s.color, i, one.color);
         set_lane(s.error, i, one.error);
         set_lane(s.opacity, i, one.opacity);
+        if (one.outermost) s.convex[i] = hits.item[i];
     });
 }
 
@@ -67,6 +68,7 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     Mask boxes = 0;
     Mask meshes = 0;
     Mask frustums = 0;
+    Mask tori = 0;
     Mask exact = 0;
     Mask textured = 0;
     for_each_lane(mask, [&](int i) {
@@ -90,6 +92,8 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
             meshes |= bit;
         else if (item.kind == Kind::frustum)
             frustums |= bit;
+        else if (item.kind == Kind::torus)
+            tori |= bit;
         else
             exact |= bit;
     });
@@ -112,6 +116,12 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
         const Mask same = meshes & equal(hits.item, item);
         exact |= put_mesh(scene, scene.meshes[scene.items[item].shape], hits, same, s);
         meshes &= ~same;
+    }
+    while (tori != 0) {
+        const std::uint32_t item = hits.item[__builtin_ctz(tori)];
+        const Mask same = tori & equal(hits.item, item);
+        exact |= put_torus(scene, scene.tori[scene.items[item].shape], r, hits, same, s);
+        tori &= ~same;
     }
     s.normal = select(less(zero, dot(s.normal, r.dir)), -s.normal, s.normal);
     textured &= ~exact;

@@ -109,6 +109,7 @@ class ScalarMethods final : public ExactMethods {
         put(s.color, surface.color);
         surface.error = s.error;
         surface.opacity = s.opacity;
+        surface.outermost = s.outermost;
     }
 
     void light(std::size_t index, const double* position, const double* position_lo,

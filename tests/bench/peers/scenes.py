@@ -135,6 +135,19 @@ plane { normal [0, 0, 1] offset -0.49 material floor }""")
     return stage
 
 
+def rings(folder, count=400):
+    """Tori of all widths, turned at random."""
+    draw = random.Random(7).uniform
+    stage = haines_stage()
+    for _ in range(count):
+        radius = draw(0.04, 0.12)
+        place = [draw(-1, 1), draw(-1, 1), draw(-0.4, 0.8)]
+        stage.lancer_alone(f"torus {{ radius {radius:.6f} tube {radius * draw(0.1, 0.6):.6f} material ball "
+                           f"rotate [{triple([draw(-1, 1), draw(-1, 1), 1])}, {draw(0, 360):.3f}] "
+                           f"translate {triple(place)} }}")
+    return stage
+
+
 def instances(folder, count=100_000):
     """One mesh of 1,000 triangles, shown a hundred thousand times, turned and sized at random."""
     draw = random.Random(6).uniform
@@ -159,6 +172,7 @@ ALL = [
     ("torus knot, 1,000,000 smooth triangles", knot(2500, 200), 1024, 1),
     ("75 balls of glass, depth 10", glass, 1024, 1),
     ("100,000 boxes, cylinders, cones and balls", mixed, 1024, 1),
+    ("400 rings", rings, 1024, 1),
     ("91 balls, 32 lights", many_lights, 1024, 1),
     ("820 balls, checkers and gradients", textured, 1024, 1),
     ("100,000 instances of a mesh", instances, 1024, 1),
