@@ -1,6 +1,6 @@
 # Several sources compiled as one: headers are read once, and the templates that they use alike are made and optimised
 # once. Libraries are joined in the presets that build for something else than changing the sources (LANCER_JOIN):
-# `release`, `clang`, `asan`. Gcc's build for developers compiles each of them by itself, and so finds the one
+# `release`, `clang`, `asan`, `coverage`. Gcc's build for developers compiles each of them by itself, and so finds the one
 # that forgets to include what it uses or that hides a name; and after a change it compiles little. Tests are always joined.
 option(LANCER_JOIN "Compile several sources of a library as one" OFF)
 
