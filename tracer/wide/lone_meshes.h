@@ -22,11 +22,11 @@ class LoneMeshQuery {
     /// `last`; crossings behind the start may be among them. It returns true to hear no more.
     ///
     /// \param last  called for the parameter beyond which nothing matters
-    template <class Last, class Met>
+    template <Order order, class Last, class Met>
     LANCER_INLINE void crossings(std::uint32_t start_face, const Last& last, const Met& met) {
         const LoneBoxRay box_ray(mesh_.tree, ray_, last());
         if (box_ray.misses) return;
-        descend(
+        descend<order>(
             mesh_.tree, nullptr, box_ray.slabs, 0, [&] { return box_ray.parameter(last()); },
             [&](std::uint32_t index, std::uint32_t count) {
                 if (shears_.count == 0) set_shear();  // a ray that reaches no leaf does without
@@ -121,7 +121,7 @@ class LoneMeshQuery {
                                                   NearestHits& hits) {
     LoneMeshQuery query(mesh, r, i);
     const bool own = starts.item[i] == item;
-    query.crossings(
+    query.crossings<Order::nearest_first>(
         own ? starts.face[i] : nothing, [&] { return lane(hits.limit, i); },
         [&](LaneHit hit) {
             if (hit.t < -hit.error) return false;
@@ -142,7 +142,7 @@ class LoneMeshQuery {
     const bool own = starts.item[i] == item;
     MeshShadow shadow;
     const Mask bit = Mask(1) << i;
-    query.crossings(
+    query.crossings<Order::any>(
         own ? starts.face[i] : nothing, [&] { return distance; },
         [&](const LaneHit& hit) {
             const bool ahead = hit.error < hit.t;

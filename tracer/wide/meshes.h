@@ -17,16 +17,16 @@ class MeshQuery {
     /// Calls met(hits, face), for every face that rays of the mask cross on their way from 0 to
     /// `last`, but for the faces that they start on, each with the rays that do; crossings behind
     /// the start may be among them. It returns rays that want to hear no more.
-    template <class Met>
+    template <Order order, class Met>
     void crossings(Mask mask, const Numbers& last, Met&& met) {
         const Mask all_rays = mask;
         Shears shears;  // rays that reach no leaf do without
-        traverse(mesh_.tree, nullptr, rays_, mask, last,
-                 [&](std::uint32_t index, std::uint32_t count, Mask some) {
-                     if (shears.count == 0) shears.set(rays_, mesh_.reach, all_rays);
-                     mask &= ~leaf(shears, mesh_.leaves[index], static_cast<int>(count),
-                                   some & mask, last, met);
-                 });
+        traverse<order>(mesh_.tree, nullptr, rays_, mask, last,
+                        [&](std::uint32_t index, std::uint32_t count, Mask some) {
+                            if (shears.count == 0) shears.set(rays_, mesh_.reach, all_rays);
+                            mask &= ~leaf(shears, mesh_.leaves[index], static_cast<int>(count),
+                                          some & mask, last, met);
+                        });
     }
 
   private:
@@ -86,14 +86,15 @@ class MeshQuery {
                                              std::uint32_t item, const Rays& r,
                                              const Starts& starts, Mask active, NearestHits& hits) {
     MeshQuery query(scene, mesh, item, r, starts);
-    query.crossings(active, hits.limit, [&](const TriangleHits& h, std::uint32_t face) {
-        // Where it starts a ray meets no other face of what it starts on (IntersectionFilter).
-        const Mask own = h.mask & query.own();
-        const Mask taken = hits.add(own & less(h.error, h.t), h.t, h.error, item, h.entering) |
-                           hits.add_ahead(h.mask & ~own, h.t, h.error, item, h.entering);
-        hits.set_triangle(taken, face, h.u, h.v);
-        return Mask(0);
-    });
+    query.crossings<Order::nearest_first>(
+        active, hits.limit, [&](const TriangleHits& h, std::uint32_t face) {
+            // Where it starts a ray meets no other face of what it starts on (IntersectionFilter).
+            const Mask own = h.mask & query.own();
+            const Mask taken = hits.add(own & less(h.error, h.t), h.t, h.error, item, h.entering) |
+                               hits.add_ahead(h.mask & ~own, h.t, h.error, item, h.entering);
+            hits.set_triangle(taken, face, h.u, h.v);
+            return Mask(0);
+        });
 }
 
 /// Whether the mesh hides the light from eight rays.
@@ -105,7 +106,7 @@ struct MeshShadow {
     MeshShadow(const Scene& scene, const Mesh& mesh, std::uint32_t item, const Rays& r,
                const Starts& starts, Mask active, const Numbers& distance) {
         MeshQuery query(scene, mesh, item, r, starts);
-        query.crossings(active, distance, [&](const TriangleHits& h, std::uint32_t) {
+        query.crossings<Order::any>(active, distance, [&](const TriangleHits& h, std::uint32_t) {
             const Mask ahead = less(h.error, h.t);
             const Mask behind = less(h.t, -h.error);
             const Mask before_light = less(h.t, distance - h.error);

@@ -68,13 +68,14 @@ inline void find_nearest(const Job& job, const Rays& r, const Starts& starts, Ma
         const Mask mask = active & ~equal(starts.item, i) & ~equal(starts.left, i);
         plane_crossings(scene.planes[i - scene.bounded], i, r, mask, hits);
     }
-    traverse(scene.tree, scene.meshes_of_items, r, active, hits.limit,
-             [&](std::uint32_t first, std::uint32_t count, Mask met) {
-                 for (std::uint32_t i = first; i < first + count; ++i) {
-                     const Mask mask = met & ~equal(starts.left, i);
-                     if (mask != 0) add_crossings(job, i, r, starts, mask, hits);
-                 }
-             });
+    traverse<Order::nearest_first>(scene.tree, scene.meshes_of_items, r, active, hits.limit,
+                                   [&](std::uint32_t first, std::uint32_t count, Mask met) {
+                                       for (std::uint32_t i = first; i < first + count; ++i) {
+                                           const Mask mask = met & ~equal(starts.left, i);
+                                           if (mask != 0)
+                                               add_crossings(job, i, r, starts, mask, hits);
+                                       }
+                                   });
     hits.unsure &= active;
 }
 

@@ -12,6 +12,13 @@ inline constexpr int few_rays = 2;
 /// The same among many meshes, where a ray by itself is told early what memory it will need.
 inline constexpr int few_rays_among_meshes = 4;
 
+/// In which order the boxes that a ray meets are opened.
+enum class Order {
+    nearest_first,
+    /// Leaves at once, where the limit stays: a shadow ray stops at whatever blocks it.
+    any,
+};
+
 /// One ray as the tests of eight boxes see it.
 struct LoneSlabs {
     struct Axis {
@@ -53,7 +60,7 @@ LANCER_INLINE void ask_for_memory(const Tree& tree, const Mesh* meshes, const No
 /// \param meshes    what the items of the leaves are, item by item, or null
 /// \param last_now  called for a bound on the parameters of boxes that matter
 /// \param leaf      leaf(first, count) returns true to end the search
-template <class Last, class Leaf>
+template <Order order, class Last, class Leaf>
 LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs& slabs,
                            std::uint32_t child, const Last& last_now, Leaf&& leaf) {
     struct Waiting {
@@ -67,7 +74,7 @@ LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs
     for (;;) {
         if (item.count != 0) {
             if (leaf(item.child, item.count)) return;
-            last = last_now();
+            if constexpr (order == Order::nearest_first) last = last_now();
         } else {
             const Node& node = tree.nodes[item.child];
             const float* planes = &node.min[0][0];
@@ -86,6 +93,17 @@ LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs
                 met &= met - 1;
                 return Waiting{node.child[c], node.count[c], nears[c]};
             };
+            if constexpr (order == Order::any) {
+                for (; met != 0; met &= met - 1) {
+                    const int c = __builtin_ctz(met);
+                    if (node.child[c] == nothing) break;
+                    if (node.count[c] == 0)
+                        stack[top++] = {node.child[c], 0, 0};
+                    else if (leaf(node.child[c], node.count[c]))
+                        return;
+                }
+                met = 0;
+            }
             if (met != 0 && (item = next_met()).child != nothing) {
                 const int base = top;
                 while (met != 0) {
@@ -107,12 +125,12 @@ LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs
         do {
             if (top == 0) return;
             item = stack[--top];
-        } while (item.near > last * far_factor);
+        } while (order == Order::nearest_first && item.near > last * far_factor);
     }
 }
 
 /// One ray of eight on its way through the nodes from `child` on.
-template <class Limit, class Leaf>
+template <Order order, class Limit, class Leaf>
 [[gnu::noinline]] void traverse_alone(const Tree& tree, const Mesh* meshes, const BoxRays& rays,
                                       int i, Mask& active, std::uint32_t child, const Limit& limit,
                                       Leaf&& leaf) {
@@ -123,7 +141,7 @@ template <class Limit, class Leaf>
                           lane(s.enter_inverse, i), lane(s.leave_inverse, i),
                           (negative(s.leave_inverse) >> i & 1) != 0);
     }
-    descend(
+    descend<order>(
         tree, meshes, slabs, child, [&] { return lane(limit(), i); },
         [&](std::uint32_t first, std::uint32_t count) {
             leaf(first, count, Mask(1) << i);
@@ -176,10 +194,11 @@ LANCER_INLINE Entries enter_boxes(const BoxRayPairs& rays, const Node& node, int
 }
 
 /// Calls leaf(first, count, mask) for the leaves that rays of `active` may meet at a parameter in
-/// [0, limit], near ones first. `leaf` may shrink `limit`, and take rays out of `active`.
+/// [0, limit]. `leaf` may take rays out of `active`, and, where near boxes come first, shrink
+/// `limit`.
 ///
 /// \param meshes  what the items of the leaves are, item by item, or null
-template <class Leaf>
+template <Order order, class Leaf>
 void traverse(const Tree& tree, const Mesh* meshes, const Rays& r, Mask& active,
               const Numbers& limit, Leaf&& leaf) {
     if (tree.node_count == 0) return;
@@ -203,16 +222,26 @@ void traverse(const Tree& tree, const Mesh* meshes, const Rays& r, Mask& active,
     for (;;) {
         if (count != 0) {
             leaf(child, count, mask);
-            last = parameters();
+            if constexpr (order == Order::nearest_first) last = parameters();
         } else if (__builtin_popcount(mask) <= few) {
             for_each_lane(mask, [&](int i) {
-                traverse_alone(tree, meshes, rays, i, active, child, parameters, leaf);
+                traverse_alone<order>(tree, meshes, rays, i, active, child, parameters, leaf);
             });
-            last = parameters();
+            if constexpr (order == Order::nearest_first) last = parameters();
         } else {
             const Node& node = tree.nodes[child];
             const int base = top;
             const auto wait = [&](int c, const Floats& near, Mask met) {
+                if constexpr (order == Order::any) {
+                    if (node.count[c] == 0) {
+                        stack[top].child = node.child[c];
+                        stack[top].count = 0;
+                        stack[top++].mask = met;
+                    } else if ((met &= active) != 0) {
+                        leaf(node.child[c], node.count[c], met);
+                    }
+                    return;
+                }
                 const float key = lane(near, __builtin_ctz(met));
                 int at = top++;
                 for (; at > base && stack[at - 1].key < key; --at) stack[at] = stack[at - 1];
@@ -232,7 +261,9 @@ void traverse(const Tree& tree, const Mesh* meshes, const Rays& r, Mask& active,
         do {
             if (top == 0) return;
             const Waiting& item = stack[--top];
-            mask = item.mask & active & at_most(item.near, last * all(far_factor));
+            mask = item.mask & active;
+            if constexpr (order == Order::nearest_first)
+                mask &= at_most(item.near, last * all(far_factor));
             child = item.child;
             count = item.count;
         } while (mask == 0);

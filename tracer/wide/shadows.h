@@ -31,17 +31,17 @@ class ShadowQuery {
             open &= ~(blocked_ | unsure_);
         }
         if (open != 0) {
-            traverse(scene_.tree, scene_.meshes_of_items, rays_, open, distance_,
-                     [&](std::uint32_t first, std::uint32_t count, Mask met) {
-                         for (std::uint32_t i = first; i < first + count; ++i) {
-                             const Mask before = blocked_;
-                             ask(i, met & open);
-                             open &= ~(blocked_ | unsure_);
-                             if (__builtin_popcount(blocked_ ^ before) > 2 &&
-                                 scene_.items[i].kind != Kind::mesh)
-                                 last_ = i;
-                         }
-                     });
+            traverse<Order::any>(scene_.tree, scene_.meshes_of_items, rays_, open, distance_,
+                                 [&](std::uint32_t first, std::uint32_t count, Mask met) {
+                                     for (std::uint32_t i = first; i < first + count; ++i) {
+                                         const Mask before = blocked_;
+                                         ask(i, met & open);
+                                         open &= ~(blocked_ | unsure_);
+                                         if (__builtin_popcount(blocked_ ^ before) > 2 &&
+                                             scene_.items[i].kind != Kind::mesh)
+                                             last_ = i;
+                                     }
+                                 });
         }
         const Numbers one = all(1.0);
         share = {one, one, one};
