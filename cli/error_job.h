@@ -1,13 +1,9 @@
-// `render` by an error, a time or passes: which settings count as the truth, and what is said of
-// the error.
+// `render` by an error, a time or passes: which settings count as the truth.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "accuracy/error_picture.h"
 #include "cli/arguments.h"
@@ -68,10 +64,5 @@ struct PassClock {
 ErrorRun render_by_passes(const Scene& scene, const SettingsOptions& settings,
                           const ErrorOptions& options, Level level, const View& view,
                           const PassClock& clock);
-
-/// One line: the error with its interval, or why it cannot be told, and what it cost.
-std::string error_line(const accuracy::ErrorReport& report);
-/// The same for a picture's file: names and values.
-std::vector<std::pair<std::string, std::string>> error_notes(const accuracy::ErrorReport& report);
 
 }  // namespace lancer::cli

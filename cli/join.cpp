@@ -8,7 +8,7 @@
 #include "accuracy/joined_report.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/error_job.h"
+#include "cli/error_words.h"
 #include "cli/output_names.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"

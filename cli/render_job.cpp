@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/cut_words.h"
+#include "cli/error_words.h"
 #include "cli/output_names.h"
 #include "cli/part_job.h"
 #include "cli/progress.h"

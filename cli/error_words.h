@@ -1,0 +1,17 @@
+// What is said of a picture's error.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "accuracy/error_picture.h"
+
+namespace lancer::cli {
+
+/// One line: the error with its interval, or why it cannot be told, and what it cost.
+std::string error_line(const accuracy::ErrorReport& report);
+/// The same for a picture's file: names and values.
+std::vector<std::pair<std::string, std::string>> error_notes(const accuracy::ErrorReport& report);
+
+}  // namespace lancer::cli
