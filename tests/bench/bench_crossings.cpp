@@ -1,6 +1,6 @@
-// Rays aimed at edges and vertices of glass meshes: how many bodies stay open because a crossing
-// was missed.
-//     build/release/bin/bench_crossings [MILLIONS OF RAYS]        default: 10
+// Rays aimed at edges and vertices of glass meshes, or of bodies cut from bodies: how many bodies
+// stay open because a crossing was missed.
+//     build/release/bin/bench_crossings [MILLIONS OF RAYS [bodies]]        default: 10
 #include <fmt/format.h>
 
 #include <charconv>
@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 
+#include "tests/extremes/corners.h"
 #include "tests/extremes/stage.h"
 #include "tracer/render.h"
 
@@ -53,15 +54,16 @@ int main(int argc, char** argv) {
     if (argc > 1) {
         const auto read = std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), millions);
         if (read.ec != std::errc{} || *read.ptr != 0) {
-            fmt::print(stderr, "usage: bench_crossings [MILLIONS OF RAYS]\n");
+            fmt::print(stderr, "usage: bench_crossings [MILLIONS OF RAYS [bodies]]\n");
             return 2;
         }
     }
+    const bool bodies = argc > 2 && std::strcmp(argv[2], "bodies") == 0;
     std::mt19937 random(1);
     RayCounts counts;
     const auto cast = [&] { return counts.primary + counts.transmitted + counts.reflected; };
     while (cast() < millions * 1000000) {
-        const Scene scene = random_view(random);
+        const Scene scene = bodies ? random_corner(random, side) : random_view(random);
         RayCounts more;
         compile(scene, scene.settings)->render({0, scene.width, scene.height, {}, false}, {}, more);
         if (more.media_lost > 0) fmt::print("{} lost after {} rays\n", more.media_lost, cast());
