@@ -15,8 +15,12 @@ namespace {
 
 constexpr double sampling_share = 0.9;  // of the squared error; the rest is for limits
 constexpr std::uint32_t base = 2;       // samples a pixel: one alone says nothing of its error
-constexpr double first_aim = 4;         // times the goal's square: where the first audit is taken
-constexpr int first_draws = 600;
+// Where so few rays a pixel will do, most pixels need one, and what lies around them says so. But
+// in a small picture single samples may all miss what is rare.
+constexpr double few_rays = 1.5;
+constexpr std::size_t many_pixels = std::size_t(1) << 16;
+constexpr double first_aim = 4;  // times the goal's square: where the first audit is taken
+constexpr int first_draws = 400;
 constexpr int most_rounds = 6;
 constexpr double most_log_error = 0.3;
 constexpr double no_better = 0.8;  // of a mean square, after a round that should have mended more
@@ -91,10 +95,13 @@ class Search {
 
     void begin() {
         expected_ = base * static_cast<double>(samples_->size());
-        samples_->raise(std::vector<std::uint32_t>(samples_->size(), base), pace());
-        rare_.emplace(*samples_);
-        prediction_.score(*samples_);
         const double target = sampling_share * square(goal_.max_error) - bias_;
+        const bool may_have_one = goal_.audited && samples_->size() >= many_pixels;
+        if (!may_have_one || !begin_with_one(target)) {
+            samples_->raise(std::vector<std::uint32_t>(samples_->size(), base), pace());
+            rare_.emplace(*samples_);
+            prediction_.score(*samples_);
+        }
         if (rays_for(*samples_, prediction_, target) <= goal_.most_rays_per_pixel) return;
         const double reachable =
             std::sqrt((mean_square_for(*samples_, prediction_, goal_.most_rays_per_pixel) + bias_) /
@@ -103,6 +110,17 @@ class Search {
             "an error of {} needs more than {} rays a pixel in this {}; about {:.2g} "
             "can be reached",
             goal_.max_error, goal_.most_rays_per_pixel, goal_.rows ? "part" : "scene", reachable));
+    }
+
+    /// False when more are needed in each pixel: for the goal, or because single samples say too
+    /// little of what stands alone.
+    bool begin_with_one(double mean_square) {
+        samples_->raise(std::vector<std::uint32_t>(samples_->size(), 1), pace());
+        rare_.emplace(*samples_);
+        prediction_.score(*samples_);
+        return !is_noticed(rare_->met_alone(*samples_), goal_.max_error,
+                           static_cast<double>(samples_->size())) &&
+               rays_for(*samples_, prediction_, mean_square) <= few_rays;
     }
 
     bool refine_to(double mean_square) {
@@ -195,17 +213,33 @@ class Search {
         ErrorEstimate e = estimate(judge_.terms);
         draws_ = 1000;
         double expected_error = 0;
+        const bool is_settled = is_decided(e) && is_below(e, deciding_margin);
         if (!e.all_zero) {  // which would correct nothing
             correct(e);
-            shares_ = best_shares(judge_.seen);
+            // An audit that is the last to decide must have drawn as the printed one will.
+            if (!is_settled) shares_ = best_shares(judge_.seen);
             draws_ = best_draws(e, report_.deciding.rays() - before);
             expected_error = log_error(e, first_draws, draws_);
         }
+        if (is_settled ? misses_rare_light() : !decide_by_rounds(e, expected_error)) return;
+        // As many as a told interval takes, by what the last audit says.
+        const double needed =
+            std::max<double>(draws_, judged_draws() * square(e.log_error() / told_log_error));
+        report_.effective_draws = e.effective_draws;
+        report_.dominant = dominant_pixels(judge_, *samples_, 3);
+        report_.is_told = e.effective_draws >= least_effective_draws &&
+                          needed <= std::max(draws_, most_draws(*samples_));
+        if (report_.is_told) draws_ = static_cast<int>(needed);
+    }
+
+    /// Refines, and audits, until one says that it is enough; that is `e` then. False when an error
+    /// cannot be told.
+    bool decide_by_rounds(ErrorEstimate& e, double expected_error) {
         double earlier = 0;  // what the last round found
         for (int round = 0; round < most_rounds; ++round) {
             const double target = aim(expected_error);
             const bool refined = target > 0 && refine_to(target);
-            if (misses_rare_light()) return;
+            if (misses_rare_light()) return false;
             e = judged();
             expected_error = log_error(e, judged_draws(), draws_);
             if (!refined || is_below(e, deciding_margin)) break;
@@ -220,14 +254,7 @@ class Search {
             correct(e);
             shares_ = best_shares(judge_.seen);
         }
-        // As many as a told interval takes, by what the last audit says.
-        const double needed =
-            std::max<double>(draws_, judged_draws() * square(e.log_error() / told_log_error));
-        report_.effective_draws = e.effective_draws;
-        report_.dominant = dominant_pixels(judge_, *samples_, 3);
-        report_.is_told = e.effective_draws >= least_effective_draws &&
-                          needed <= std::max(draws_, most_draws(*samples_));
-        if (report_.is_told) draws_ = static_cast<int>(needed);
+        return true;
     }
 
     /// More samples brought nothing: the limits may cut what only an audit has met. Begins anew

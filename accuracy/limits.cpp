@@ -18,12 +18,14 @@ Crop part_of(const View& view) {
     return view.crop.value_or(Crop{0, 0, view.width, view.height});
 }
 
-/// Points spread evenly over the picture, in the order in which a picture's pixels stand.
-std::vector<PicturePoint> spread_points(const View& view, std::uint32_t count, std::uint64_t seed) {
+/// Of points spread evenly over the picture those from `begin` to `end`, in the order in which a
+/// picture's pixels stand.
+std::vector<PicturePoint> spread_points(const View& view, std::uint32_t begin, std::uint32_t end,
+                                        std::uint64_t seed) {
     const Crop part = part_of(view);
     const SobolPoints sequence(pixel_key(seed, -2, -2, limits_stream));
     std::vector<PicturePoint> points;
-    for (std::uint32_t i = 0; i < count; ++i)
+    for (std::uint32_t i = begin; i < end; ++i)
         points.push_back(
             {part.x + sequence[i].x * part.width, part.y + sequence[i].y * part.height});
     std::sort(points.begin(), points.end(), [](const PicturePoint& a, const PicturePoint& b) {
@@ -34,36 +36,71 @@ std::vector<PicturePoint> spread_points(const View& view, std::uint32_t count, s
     return points;
 }
 
-/// The first for which something is good enough that gets better from one to the next; `count` when
-/// none is. After the first it halves what is left: each look takes rays.
-template <class IsGood>
-std::size_t first_of(std::size_t count, const IsGood& is_good) {
-    if (is_good(0)) return 0;
-    std::size_t begin = 1;
-    std::size_t end = count;
-    while (begin < end) {
-        const std::size_t middle = (begin + end) / 2;
-        if (is_good(middle))
-            end = middle;
-        else
-            begin = middle + 1;
+/// What limits cut at points spread over the picture. An eighth of the points rule out those that
+/// cut too much there.
+class Cuts {
+  public:
+    Cuts(const Truth& truth, const View& view, std::uint32_t count, std::uint64_t seed,
+         RayCounts& rays)
+        : truth_(truth), view_(view), rays_(rays) {
+        const std::uint32_t few = count / 8;
+        parts_[0].points = spread_points(view, 0, few, seed);
+        parts_[1].points = spread_points(view, few, count, seed);
     }
-    return begin;
-}
 
-/// The mean squared difference over channels, with twice its standard error on top.
-double difference(const std::vector<Color>& a, const std::vector<Color>& b) {
-    const double n = static_cast<double>(a.size());
-    double sum = 0;
-    double squares = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const Color d = a[i] - b[i];
-        sum += dot(d, d) / 3;
-        squares += dot(d, d) / 3 * (dot(d, d) / 3);
+    /// False when there is nothing to cut.
+    bool begin(const TraceLimits& whole) {
+        RayCounts counted;
+        for (Part& part : parts_) part.right = colors(part, whole, counted);
+        rays_ += counted;
+        return counted.reflected + counted.transmitted > 0;
     }
-    const double mean = sum / n;
-    return mean + 2 * std::sqrt(std::max(0.0, squares / n - mean * mean) / n);
-}
+
+    /// Whether the mean squared difference over channels is at most this, as far as can be told.
+    bool are_at_most(double mean_square, const TraceLimits& limits) {
+        Difference cut;
+        add(cut, parts_[0], limits);
+        if (cut.mean() > mean_square) return false;
+        add(cut, parts_[1], limits);
+        return cut.mean() + 2 * cut.standard_error() <= mean_square;
+    }
+
+  private:
+    struct Part {
+        std::vector<PicturePoint> points;
+        std::vector<Color> right;
+    };
+    struct Difference {
+        double count = 0;
+        double sum = 0;
+        double squares = 0;
+        double mean() const { return sum / count; }
+        double standard_error() const {
+            return std::sqrt(std::max(0.0, squares / count - mean() * mean()) / count);
+        }
+    };
+
+    std::vector<Color> colors(const Part& part, const TraceLimits& limits, RayCounts& rays) const {
+        std::vector<Color> colors(part.points.size());
+        truth_.renderer.trace(view_, part.points, limits, colors, {}, rays);
+        return colors;
+    }
+
+    void add(Difference& cut, const Part& part, const TraceLimits& limits) {
+        const std::vector<Color> found = colors(part, limits, rays_);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const Color d = found[i] - part.right[i];
+            cut.sum += dot(d, d) / 3;
+            cut.squares += dot(d, d) / 3 * (dot(d, d) / 3);
+        }
+        cut.count += static_cast<double>(found.size());
+    }
+
+    const Truth& truth_;
+    const View& view_;
+    std::array<Part, 2> parts_;  ///< a few, and the others
+    RayCounts& rays_;
+};
 
 }  // namespace
 
@@ -84,33 +121,25 @@ TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLim
     const Crop part = part_of(view);
     const std::int64_t pixels = std::int64_t(part.width) * part.height;
     const auto count = static_cast<std::uint32_t>(std::clamp<std::int64_t>(pixels / 64, 512, 4096));
-    const std::vector<PicturePoint> points = spread_points(view, count, seed);
-    const auto colors_at = [&](const TraceLimits& limits, RayCounts& counted) {
-        std::vector<Color> colors(points.size());
-        truth.renderer.trace(view, points, limits, colors, {}, counted);
-        return colors;
-    };
-    RayCounts counted;
-    const std::vector<Color> right = colors_at(best, counted);
-    rays += counted;
-    if (counted.reflected + counted.transmitted == 0) return best;  // nothing to cut
+    Cuts cuts(truth, view, count, seed, rays);
+    if (!cuts.begin(best)) return best;
 
+    // From the coarsest on: those that will not do are found out soon, and one that will is asked
+    // of all points.
     if (!fixed.max_depth) {
-        const std::array depths{1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64, 128, 256};
-        const std::size_t found = first_of(depths.size(), [&](std::size_t i) {
-            const TraceLimits shallow{depths[i], best.min_contribution};
-            return difference(colors_at(shallow, rays), right) <= mean_square / 2;
-        });
-        if (found < depths.size()) best.max_depth = depths[found];
+        for (const int depth : {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64, 128, 256}) {
+            if (!cuts.are_at_most(mean_square / 2, {depth, best.min_contribution})) continue;
+            best.max_depth = depth;
+            break;
+        }
     }
     if (!fixed.min_contribution) {
-        const std::array factors{100.0, 50.0, 20.0, 10.0, 5.0, 2.0};
-        const std::size_t found = first_of(factors.size(), [&](std::size_t i) {
-            const TraceLimits coarse{best.max_depth, truth.limits.min_contribution * factors[i]};
-            return difference(colors_at(coarse, rays), right) <= mean_square;
-        });
-        if (found < factors.size())
-            best.min_contribution = truth.limits.min_contribution * factors[found];
+        for (const double factor : {100.0, 50.0, 20.0, 10.0, 5.0, 2.0}) {
+            const double least = truth.limits.min_contribution * factor;
+            if (!cuts.are_at_most(mean_square, {best.max_depth, least})) continue;
+            best.min_contribution = least;
+            break;
+        }
     }
     return best;
 }

@@ -58,6 +58,13 @@ RareLight::RareLight(const Samples& first) {
     if (first.size() > 0) count_ = first.pixels().front().count;
 }
 
+double RareLight::met_alone(const Samples& first) const {
+    double sum = 0;
+    for (const std::size_t pixel : pixels_)
+        sum += square(first.pixels()[pixel].mean() - surroundings(first, pixel).mean);
+    return sum;
+}
+
 Specks RareLight::missed(const Samples& later) const {
     Specks missed;
     for (const std::size_t pixel : pixels_) {
@@ -83,8 +90,12 @@ Specks RareLight::missed(const Samples& later) const {
     return missed;
 }
 
+bool is_noticed(double error, double rmse, double pixels_of_picture) {
+    return error > noticed_share * rmse * rmse * 3 * pixels_of_picture;
+}
+
 bool Specks::forbid(double rmse, double pixels_of_picture) const {
-    return error > noticed_share * rmse * rmse * 3 * pixels_of_picture &&
+    return is_noticed(error, rmse, pixels_of_picture) &&
            error * error < fewest * squares;  // fewer equal ones would weigh as much
 }
 

@@ -8,6 +8,10 @@
 
 namespace lancer::accuracy {
 
+/// Whether so much squared error, summed over pixels and channels, matters for such an RMSE over so
+/// many pixels.
+bool is_noticed(double error, double rmse, double pixels_of_picture);
+
 /// What specks in pixels that missed theirs add to a picture's error.
 struct Specks {
     double error = 0;                ///< squared, summed over pixels and channels
@@ -23,6 +27,10 @@ class RareLight {
   public:
     /// Looks at a picture whose pixels all have the same number of samples.
     explicit RareLight(const Samples& first);
+
+    /// What those pixels differ by from those around them, squared and summed over channels. The
+    /// samples are those that were looked at.
+    double met_alone(const Samples& first) const;
 
     /// Later samples tell which of those pixels are alone indeed, and how likely first samples were
     /// to miss what is in them; each stands for as many as that makes likely (Horvitz and Thompson,

@@ -62,6 +62,41 @@ TEST(ErrorTarget, DecidingTakesFewRaysWhereItIsEasy) {
     EXPECT_LT(report.deciding.primary, 42000U);
 }
 
+/// Of a large picture that is mostly smooth, most pixels have one sample; the audits tell as truly.
+TEST(ErrorTarget, LargePicturesTakeOneRayWhereOneWillDo) {
+    View view;
+    view.width = 320;
+    view.height = 240;
+    const PlainRenderer renderer(plain_picture("balls"));
+    const Image truth = truth_of(plain_picture("balls"), view, 32);
+    int missed = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        ErrorGoal goal;
+        goal.max_error = 0.008;
+        goal.seed = seed;
+        const ErrorPicture picture =
+            render_to_error(renderer, {renderer, limits_of_truth(0.008)}, view, goal, {});
+        EXPECT_TRUE(picture.report.is_reached()) << seed;
+        EXPECT_LT(picture.report.rays_per_pixel, 1.2) << seed;
+        const double error = rms_difference(picture.image, truth);
+        EXPECT_LT(error, goal.max_error) << seed;
+        missed += error < picture.report.error.low || error > picture.report.error.high;
+    }
+    EXPECT_LE(missed, 2);
+}
+
+TEST(ErrorTarget, SparksOfALargePictureAreMetByTwoRays) {
+    View view;
+    view.width = 320;
+    view.height = 240;
+    const PlainRenderer renderer(plain_picture("sparks"));
+    ErrorGoal goal;
+    goal.max_error = 0.02;
+    const ErrorReport report =
+        render_to_error(renderer, {renderer, limits_of_truth(0.02)}, view, goal, {}).report;
+    EXPECT_GE(report.rays_per_pixel, 2);
+}
+
 TEST(ErrorTarget, SparksAreRefusedAnInterval) {
     const PlainRenderer renderer(plain_picture("sparks"));
     for (const double goal : {0.02, 0.01}) {

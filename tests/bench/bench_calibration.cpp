@@ -2,9 +2,12 @@
 // truths are known without the estimator. A line for each run, which tests/bench/study makes a
 // table and a plot of.
 //
-//     bench_calibration [SEEDS]      20 by default
+//     bench_calibration [SEEDS [PICTURE...]]      20 by default, of all
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "accuracy/error_target.h"
 #include "tests/accuracy/plain_pictures.h"
@@ -45,7 +48,11 @@ int main(int argc, char** argv) {
     view.height = 96;
     std::puts(
         "picture,asked,seed,told,low,high,error,picture rays,deciding rays,printed audit's rays");
+    const std::vector<std::string> wanted(argv + std::min(argc, 2), argv + argc);
     for (const PlainPicture& picture : plain_pictures()) {
+        if (!wanted.empty() &&
+            std::find(wanted.begin(), wanted.end(), picture.name) == wanted.end())
+            continue;
         const lancer::Image truth =
             truth_of(picture.formula, view, picture.name == "checker" ? 256 : 64);
         for (const double goal : {0.05, 0.02, 0.01, 0.005}) runs(picture, truth, view, goal, seeds);

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """What --max-error and --time keep in the gallery: writes its parts of docs/cost-of-accuracy.md.
 
-    tests/bench/error_gallery.py [LANCER]        default: build/release/bin/lancer
+    tests/bench/error_gallery.py [LANCER] [--only errors|times]        default: build/release/bin/lancer
 
 Ten minutes on a machine that does nothing else.
 """
+import argparse
 import json
 import os
 import subprocess
@@ -60,10 +61,15 @@ def by_time(lancer, folder):
 
 
 def main():
-    lancer = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build/release/bin/lancer"))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("lancer", nargs="?", default=os.path.join(ROOT, "build/release/bin/lancer"))
+    parser.add_argument("--only", choices=["errors", "times"])
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="lancer-bench-") as folder:
         for name, make in (("errors", by_error), ("times", by_time)):
-            text = make(lancer, folder)
+            if options.only not in (None, name):
+                continue
+            text = make(os.path.abspath(options.lancer), folder)
             page_part.write(PAGE, f"tests/bench/error_gallery.py, {name}", text)
             print(text)
 

@@ -3,7 +3,7 @@
 
     tests/bench/study/study.py [--lancer build/release/bin/lancer] [--rounds N] [--only PART] [--print]
 
-Parts: knobs, precision, depth, contribution, tolerance, adaptive, calibration. The last two need bench_adaptive and
+Parts: knobs, precision, depth, contribution, tolerance, adaptive, cheapest, calibration. The last three need bench_adaptive, bench_settings and
 bench_calibration beside the program (-DBUILD_TESTING=ON). An hour on a machine that does nothing else.
 """
 import argparse
@@ -14,6 +14,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import adaptive  # noqa: E402
 import calibration  # noqa: E402
+import cheapest  # noqa: E402
 import knobs  # noqa: E402
 import limits  # noqa: E402
 import measured  # noqa: E402
@@ -22,7 +23,8 @@ import page_part  # noqa: E402
 
 PAGE = measured.ROOT / "docs" / "study.md"
 PARTS = {"knobs": knobs.study, "precision": number_types.study, "depth": limits.depth, "contribution": limits.contribution,
-         "tolerance": limits.tolerance, "adaptive": adaptive.study, "calibration": calibration.study}
+         "tolerance": limits.tolerance, "adaptive": adaptive.study, "cheapest": cheapest.study,
+         "calibration": calibration.study}
 
 
 def main():
