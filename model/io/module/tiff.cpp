@@ -12,12 +12,13 @@
 #include "model/diagnostic.h"
 #include "model/io/byte_reader.h"
 #include "model/io/image_limits.h"
+#include "model/io/module/tiff_memory.h"
 #include "model/io/module/tiff_samples.h"
 
 namespace lancer::io {
 namespace {
 
-// ---- libtiff over bytes in memory ----
+// ---- What libtiff says ----
 
 /// What libtiff said last, and whether that is damage.
 struct Said {
@@ -43,44 +44,6 @@ void hear_warning(const char*, const char* format, va_list arguments) {
     if (text.starts_with("Old-style LZW")) return;
     said.text = text;
 }
-
-struct Memory {
-    std::string_view bytes;
-    std::uint64_t at = 0;
-};
-
-tmsize_t read_memory(thandle_t handle, void* to, tmsize_t size) {
-    auto& memory = *static_cast<Memory*>(handle);
-    if (memory.at >= memory.bytes.size() || size <= 0) return 0;
-    const std::size_t count =
-        std::min<std::size_t>(memory.bytes.size() - memory.at, static_cast<std::size_t>(size));
-    std::memcpy(to, memory.bytes.data() + memory.at, count);
-    memory.at += count;
-    return static_cast<tmsize_t>(count);
-}
-tmsize_t write_nothing(thandle_t, void*, tmsize_t) {
-    return 0;
-}
-toff_t seek_memory(thandle_t handle, toff_t offset, int whence) {
-    auto& memory = *static_cast<Memory*>(handle);
-    const toff_t from = whence == SEEK_SET   ? 0
-                        : whence == SEEK_CUR ? memory.at
-                                             : memory.bytes.size();
-    return memory.at = from + offset;
-}
-int close_nothing(thandle_t) {
-    return 0;
-}
-toff_t size_of_memory(thandle_t handle) {
-    return static_cast<Memory*>(handle)->bytes.size();
-}
-int map_memory(thandle_t handle, void** base, toff_t* size) {
-    const std::string_view bytes = static_cast<Memory*>(handle)->bytes;
-    *base = const_cast<char*>(bytes.data());
-    *size = bytes.size();
-    return 1;
-}
-void unmap_nothing(thandle_t, void*, toff_t) {}
 
 /// Throws with what libtiff said, or else with `otherwise`.
 [[noreturn]] void fail(const std::string& otherwise) {
@@ -380,13 +343,8 @@ std::string read_tiff(std::string_view bytes, PictureSink& sink) {
     said = {};
     TIFFSetErrorHandler(hear_error);
     TIFFSetWarningHandler(hear_warning);
-    Memory memory{bytes};
-    struct Closer {
-        void operator()(TIFF* file) const { TIFFClose(file); }
-    };
-    const std::unique_ptr<TIFF, Closer> file(
-        TIFFClientOpen("picture", "r", &memory, read_memory, write_nothing, seek_memory,
-                       close_nothing, size_of_memory, map_memory, unmap_nothing));
+    TiffMemory memory{bytes};
+    const std::unique_ptr<TIFF, TiffCloser> file = open_in_memory(memory);
     try {
         if (file == nullptr && ends_before_its_directory(bytes))
             throw TiffError("the file is truncated");
