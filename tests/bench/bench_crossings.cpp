@@ -22,17 +22,12 @@ constexpr int side = 256;
 /// A glass ball of 320 faces, as it is or turned and stretched, seen from anywhere, zoomed up to
 /// 10^12 onto a vertex or an edge. Odd pictures aim their middle ray at the very place.
 Scene random_view(std::mt19937& random) {
-    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
     const Vec3d center(0.1, -0.2, 0.3);
     static const Mesh ball = icosphere(center, 1, 2);
-    const Affine<double> map =
-        random() % 2 == 0
-            ? Affine<double>{}
-            : compose(shift({3, 4, 5}), compose(turn(0, 360 * unit()), stretched(1, 2, 0.5)));
-    Stage s;
-    s.scene.settings.max_depth = 30;
-    s.scene.settings.threads = 0;
-    s.scene.width = s.scene.height = side + static_cast<int>(random() % 2);
+    CloseView view(random, side);
+    const Affine<double>& map = view.map;
+    Stage& s = view.stage;
+    const auto unit = [&] { return view.unit(); };
     s.add(ball, s.glass(random() % 4 == 0 ? 1 : 1 + unit()), map);
     const Mesh::Corners& face = ball.faces[random() % ball.faces.size()];
     const double share = random() % 2 == 0 ? 0 : unit();
@@ -41,10 +36,7 @@ Scene random_view(std::mt19937& random) {
     // From outside, or from within.
     const Vec3d from =
         random() % 4 == 0 ? center + aside * 0.5 : at + normalize(at - center) * 3.0 + aside * 4.0;
-    const double zoom = power10(-static_cast<int>(random() % 13));
-    s.look(map_point(map, from), map_point(map, at), degrees(2 * std::atan(0.2 * zoom)),
-           normalize(aside + Vec3d(0, 2, 0)));
-    return s.scene;
+    return view.of(from, at, aside);
 }
 
 }  // namespace

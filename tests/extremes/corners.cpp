@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "tests/extremes/stage.h"
-
 namespace lancer::extremes {
 namespace {
 
@@ -60,25 +58,34 @@ void add_corner(Stage& s, unsigned long kind, std::uint32_t glass, const Affine<
 
 }  // namespace
 
+CloseView::CloseView(std::mt19937& random, int side)
+    : random_(random),
+      map(random() % 2 == 0
+              ? Affine<double>{}
+              : compose(shift({3, 4, 5}), compose(turn(0, 360 * unit()), stretched(1, 2, 0.5)))) {
+    stage.scene.settings.max_depth = 30;
+    stage.scene.settings.threads = 0;
+    stage.scene.width = stage.scene.height = side + static_cast<int>(random() % 2);
+}
+
+Scene CloseView::of(const Vec3d& from, const Vec3d& at, const Vec3d& aside) {
+    const double zoom = power10(-static_cast<int>(random_() % 13));
+    stage.look(map_point(map, from), map_point(map, at), degrees(2 * std::atan(0.2 * zoom)),
+               normalize(aside + Vec3d(0, 2, 0)));
+    return stage.scene;
+}
+
 Scene random_corner(std::mt19937& random, int side) {
-    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
-    const Affine<double> map =
-        random() % 2 == 0
-            ? Affine<double>{}
-            : compose(shift({3, 4, 5}), compose(turn(0, 360 * unit()), stretched(1, 2, 0.5)));
-    Stage s;
-    s.scene.settings.max_depth = 30;
-    s.scene.settings.threads = 0;
-    s.scene.width = s.scene.height = side + static_cast<int>(random() % 2);
+    CloseView view(random, side);
+    const Affine<double>& map = view.map;
+    Stage& s = view.stage;
+    const auto unit = [&] { return view.unit(); };
     add_corner(s, random() % 6, s.glass(random() % 4 == 0 ? 1 : 1 + unit()), map);
     const Vec3d aside(unit() - 0.5, unit() - 0.5, unit() - 0.5);
     Vec3d at(1);
     if (random() % 2 == 0) at[static_cast<int>(random() % 3)] -= 0.25 * unit();
     const Vec3d from = random() % 4 == 0 ? aside * 0.5 : at * 3.0 + aside * 4.0;
-    const double zoom = power10(-static_cast<int>(random() % 13));
-    s.look(map_point(map, from), map_point(map, at), degrees(2 * std::atan(0.2 * zoom)),
-           normalize(aside + Vec3d(0, 2, 0)));
-    return s.scene;
+    return view.of(from, at, aside);
 }
 
 }  // namespace lancer::extremes

@@ -14,16 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/house/source_text.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path root = LANCER_SOURCE_DIR;
-
-std::string read_text(const fs::path& path) {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 struct Place {
     std::string file;

@@ -10,16 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/house/source_text.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path root = LANCER_SOURCE_DIR;
-
-std::string read_text(const fs::path& path) {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<fs::path> pages() {
     std::vector<fs::path> found{root / "README.md"};

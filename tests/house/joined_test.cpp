@@ -13,20 +13,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/house/source_text.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path source_root = LANCER_SOURCE_DIR;
-
-std::string text_of_file(const fs::path& path) {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The words of `lancer_join(... APART words)`; nothing where the folder joins nothing.
 std::vector<std::string> words_apart(const std::string& folder) {
-    const std::string text = text_of_file(source_root / folder / "CMakeLists.txt");
+    const std::string text = read_text(root / folder / "CMakeLists.txt");
     std::smatch join;
     if (!std::regex_search(text, join, std::regex(R"re(lancer_join\(\w+ APART ([^)]*)\))re")))
         return {};
@@ -53,7 +48,7 @@ std::string declared_in(const std::string& line) {
 std::vector<std::string> private_names(const fs::path& path) {
     std::vector<std::string> names;
     std::vector<bool> unnamed;  // of the namespaces around
-    std::istringstream in(text_of_file(path));
+    std::istringstream in(read_text(path));
     for (std::string line; std::getline(in, line);) {
         if (line.starts_with("namespace ") && line.ends_with("{")) {
             unnamed.push_back(line == "namespace {");
@@ -73,8 +68,8 @@ TEST(Joined, SourcesHaveNoPrivateNameTwice) {
         const std::vector<std::string> apart = words_apart(folder);
         ASSERT_FALSE(apart.empty()) << folder;
         std::map<std::string, std::string> owner;
-        for (const auto& entry : fs::recursive_directory_iterator(source_root / folder)) {
-            const std::string path = fs::relative(entry.path(), source_root).generic_string();
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            const std::string path = fs::relative(entry.path(), root).generic_string();
             const bool other_library =
                 path.starts_with("cli/pages/") || path.starts_with("model/io/module/");
             if (!path.ends_with(".cpp") || other_library) continue;

@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/house/source_text.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = LANCER_SOURCE_DIR;
 const std::vector<std::string> libraries{"base",     "model",     "parser", "tracer",
                                          "accuracy", "reference", "judge"};
 

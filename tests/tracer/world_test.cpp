@@ -54,6 +54,16 @@ TEST(World, AClearBodyOfIndexOneIsInTheListOfMedia) {
     EXPECT_TRUE(requirements_of(scene, scene.settings).needs(Feature::media));
 }
 
+/// Turned, stretched and sheared at random.
+Affine<double> turned_and_stretched(std::mt19937& random,
+                                    std::uniform_real_distribution<double>& unit) {
+    Affine<double> map;
+    for (Vec3d& row : map.rows)
+        row = Vec3d(unit(random), unit(random), unit(random)) * std::pow(10.0, unit(random));
+    map.shift = Vec3d(unit(random), unit(random), unit(random)) * 10.0;
+    return map;
+}
+
 /// Corners of turned, stretched and sheared meshes, put into the world in a wider type.
 template <class Real>
 void expect_boxes_hold_their_meshes() {
@@ -63,10 +73,7 @@ void expect_boxes_hold_their_meshes() {
         extremes::Stage s;
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> unit(-1, 1);
-        Affine<double> map;
-        for (Vec3d& row : map.rows)
-            row = Vec3d(unit(random), unit(random), unit(random)) * std::pow(10.0, unit(random));
-        map.shift = Vec3d(unit(random), unit(random), unit(random)) * 10.0;
+        const Affine<double> map = turned_and_stretched(random, unit);
         Mesh mesh = extremes::icosphere(Vec3d(0, 2, 0), 1, static_cast<int>(seed % 4));
         for (Vec3d& v : mesh.vertices) v.z *= 0.1;
         s.add(mesh, s.matt({1, 1, 1}), map);
@@ -96,10 +103,7 @@ void expect_boxes_hold_their_rings() {
         extremes::Stage s;
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> unit(-1, 1);
-        Affine<double> map;
-        for (Vec3d& row : map.rows)
-            row = Vec3d(unit(random), unit(random), unit(random)) * std::pow(10.0, unit(random));
-        map.shift = Vec3d(unit(random), unit(random), unit(random)) * 10.0;
+        const Affine<double> map = turned_and_stretched(random, unit);
         s.add(Torus{1.5, 1.5 * std::pow(10.0, 3 * unit(random) - 3)}, s.matt({1, 1, 1}), map);
         const auto world = compile_world<Real>(s.scene, s.scene.settings);
         const Primitive<Real>& p = world->primitives.front();
