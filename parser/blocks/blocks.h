@@ -1,5 +1,5 @@
-// Every block of the language: its table of fields and what it becomes. To add one, add a line to
-// each list in blocks.cpp and a file beside it.
+// Every block of the language: its table of fields and what it becomes. To add one, declare it
+// here, write it in a file of this folder, and add a line to each list in blocks.cpp.
 #pragma once
 
 #include "model/shapes.h"

@@ -1,5 +1,7 @@
 // The hits that are one contact: what a ray meets first, all in one place. What is decided with it:
-// which hits belong to it (settle(), here), their order (order_contact()), the bodies behind it
+// which hits belong to it (NearestContact, here; of a composite's parts: make_contacts() in
+// composite_crossings.h; of the two faces at a mesh's edge: adjacent_face_hit() in edge_hits.h),
+// their order (order_contact()), the bodies behind it
 // (crossed() in media.h), what of it is a surface (shading/coincident_surfaces.h), refraction
 // (recursion/whitted.h), shadows (light_by_contacts() in shading/shadow.h). Why: docs/shading.md.
 #pragma once
@@ -24,9 +26,12 @@ struct Hit {
 template <class Real>
 using Contact = boost::container::small_vector<Hit<Real>, 4>;
 
-/// Collects the hits nearest to the start that are one contact: those whose distances differ by
-/// less than their error bounds together. A hit's own bound counts up to seven times that of the
-/// nearest hit, so the order of the search cannot change the contact.
+/// Collects the hits that are one contact: the nearest, n, and each h that cannot be told apart
+/// from it, t_h - t_n <= e_n + min(e_h, 7 e_n), unless h lies beyond t + 8 e of any hit.
+///
+/// The order of the search cannot change the contact: the limit is the least t + 8 e of all hits,
+/// and a hit that is dropped beyond it has a larger one, so all orders end with the same limit, and
+/// only hits beyond that one are dropped.
 template <class Real>
 class NearestContact {
   public:
@@ -44,7 +49,7 @@ class NearestContact {
         if (!(hit.t <= limit_)) return;
         if (!contact_.empty()) return add_to_others(hit);
         contact_.push_back(hit);
-        limit_ = hit.t + 8 * hit.error;
+        expect(hit.t + 8 * hit.error);
     }
 
     /// Nothing will be added any more: drops what is not in the contact after all.
@@ -53,13 +58,14 @@ class NearestContact {
         const Hit<Real> nearest = contact_.front();
         const auto apart = [&](const Hit<Real>& h) {
             const Real own = std::min(h.error, 7 * nearest.error);
-            return !(h.t - nearest.t <= nearest.error + own);
+            return !(h.t <= limit_ && h.t - nearest.t <= nearest.error + own);
         };
         contact_.erase(std::remove_if(contact_.begin() + 1, contact_.end(), apart), contact_.end());
     }
 
   private:
     [[gnu::noinline]] void add_to_others(const Hit<Real>& hit) {
+        expect(hit.t + 8 * hit.error);
         Hit<Real>& nearest = contact_.front();
         if (!before(hit, nearest)) {
             contact_.push_back(hit);
@@ -67,7 +73,6 @@ class NearestContact {
         }
         const Hit<Real> second = nearest;
         nearest = hit;
-        limit_ = hit.t + 8 * hit.error;
         // The others lie beyond the second, so they are out of reach when it is.
         if (second.t > limit_)
             contact_.resize(1);

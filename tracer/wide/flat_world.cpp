@@ -280,14 +280,16 @@ void FlatWorld::add(const LightSource<double>& light, const World<double>& world
     switch (light.kind) {
         case SourceKind::point:
             l.kind = Light::Kind::point;
+            put(light.position, l.place);
             break;
         case SourceKind::directional:
             l.kind = Light::Kind::directional;
+            put(light.direction, l.place);
             break;
         case SourceKind::spot:
             l.kind = Light::Kind::spot;
+            put(light.position, l.place);
     }
-    put(light.kind == SourceKind::directional ? light.direction : light.position, l.place);
     l.fades = light.fades;
     l.fade_distance = light.fade_distance;
     l.fade_power = light.fade_power;

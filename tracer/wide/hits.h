@@ -9,8 +9,8 @@ namespace lancer::wide::LANCER_LEVEL {
 /// A contact holds one hit for certain when no other lies before nearest.t + 8 nearest.error,
 /// within which NearestContact keeps what it looks at once more. A lane where another does is
 /// unsure; whether or not a still nearer hit comes later. A hit that was dropped because it lay
-/// beyond the limit of a nearest one is beyond the limit of every later one, too, unless the later
-/// limit reaches the former nearest hit, which makes the lane unsure.
+/// beyond the limit of a nearest one would not belong to a later contact, either: NearestContact
+/// keeps the least limit of all.
 class NearestHits {
   public:
     Numbers t = all(infinity);

@@ -35,6 +35,18 @@ LANCER_INLINE Numbers light_factor(const Light& light, const LightSamples& at, M
     return select(front, factor, zero);
 }
 
+/// Whether a light has a factor at all, which takes powers.
+LANCER_INLINE bool has_factor(const Light& light) {
+    switch (light.kind) {
+        case Light::Kind::point:
+        case Light::Kind::directional:
+            return light.fades;
+        case Light::Kind::spot:
+            return true;
+    }
+    return true;
+}
+
 /// sample_light()
 LANCER_INLINE LightSamples sample_light(const Job& job, std::size_t index, const Surfaces& s,
                                         Mask mask) {
@@ -51,8 +63,7 @@ LANCER_INLINE LightSamples sample_light(const Job& job, std::size_t index, const
     at.distance = root(square);
     at.direction = way / at.distance;
     const Mask sound = mask & is_sound_square(square);
-    if (light.fades || light.kind == Light::Kind::spot)
-        at.color = at.color * light_factor(light, at, sound);
+    if (has_factor(light)) at.color = at.color * light_factor(light, at, sound);
     for_each_lane(mask & ~sound, [&](int i) {
         const double position[] = {lane(s.position.x, i), lane(s.position.y, i),
                                    lane(s.position.z, i)};
