@@ -10,7 +10,6 @@
 namespace lancer::accuracy {
 namespace {
 
-constexpr std::uint32_t fewest_points = 16;  // of a net: with 4, intervals miss thin wires
 constexpr double two_sided_95 = 1.96;
 
 /// Draws at equal distances along the pixels laid end to end, from a random start.
@@ -36,6 +35,7 @@ std::uint64_t stream_of(std::uint64_t audit, std::size_t draw, unsigned net) {
 struct Net {
     std::size_t draw;
     std::uint32_t points;
+    std::uint32_t few;
 };
 
 /// Of the mean of a stratum's terms.
@@ -68,12 +68,14 @@ Audit audit(const Truth& truth, const Samples& samples, std::span<const double> 
     Audit result;
     result.pixels = systematic(chance, plan.draws, start);
     std::vector<Color> nets(result.pixels.size() * 2, Color{0, 0, 0});
+    std::vector<Color> nets_of_few = nets;
     std::vector<Net> batch;
     std::vector<PicturePoint> points;
     std::vector<Color> colors;
     for (std::size_t k = 0; k < result.pixels.size(); ++k) {
         const std::size_t pixel = result.pixels[k];
-        const std::uint32_t n = std::max(fewest_points, samples.pixels()[pixel].count);
+        const std::uint32_t count = samples.pixels()[pixel].count;
+        const std::uint32_t n = std::max(plan.points, count);
         const int x = samples.column(pixel);
         const int y = samples.row(pixel);
         for (const unsigned net : {0U, 1U}) {
@@ -81,15 +83,21 @@ Audit audit(const Truth& truth, const Samples& samples, std::span<const double> 
                 pixel_key(samples.seed(), x, y, stream_of(plan.number, k, net)));
             for (std::uint32_t i = 0; i < n; ++i)
                 points.push_back({x + sequence[i].x, y + sequence[i].y});
-            batch.push_back({2 * k + net, n});
+            batch.push_back({2 * k + net, n, std::max(few_points, count)});
         }
         if (points.size() < batch_size && k + 1 < result.pixels.size()) continue;
         colors.resize(points.size());
         truth.renderer.trace(samples.view(), points, truth.limits, colors, {}, result.rays);
         std::size_t next = 0;
         for (const Net& net : batch) {
-            for (std::uint32_t i = 0; i < net.points; ++i) nets[net.draw] += colors[next++];
+            for (std::uint32_t i = 0; i < net.points; ++i) {
+                nets[net.draw] += colors[next++];
+                if (i + 1 == net.few)
+                    nets_of_few[net.draw] = nets[net.draw] / static_cast<double>(net.few);
+            }
             nets[net.draw] /= static_cast<double>(net.points);
+            result.points += net.points;
+            result.points_of_few += net.few;
         }
         batch.clear();
         points.clear();
@@ -100,8 +108,12 @@ Audit audit(const Truth& truth, const Samples& samples, std::span<const double> 
     for (std::size_t k = 0; k < result.pixels.size(); ++k) {
         const std::size_t pixel = result.pixels[k];
         const Color mean = samples.pixels()[pixel].mean();
-        const double product = dot(mean - nets[2 * k], mean - nets[2 * k + 1]);
+        const auto product_of = [&](const std::vector<Color>& means) {
+            return dot(mean - means[2 * k], mean - means[2 * k + 1]);
+        };
+        const double product = product_of(nets);
         result.terms.push_back(product / (chance[pixel] * values));
+        result.terms_of_few.push_back(product_of(nets_of_few) / (chance[pixel] * values));
         result.seen.push_back({guessed.of(pixel), chance[pixel], product});
     }
     return result;
@@ -109,9 +121,12 @@ Audit audit(const Truth& truth, const Samples& samples, std::span<const double> 
 
 void Audit::add(const Audit& other) {
     terms.insert(terms.end(), other.terms.begin(), other.terms.end());
+    terms_of_few.insert(terms_of_few.end(), other.terms_of_few.begin(), other.terms_of_few.end());
     pixels.insert(pixels.end(), other.pixels.begin(), other.pixels.end());
     seen.insert(seen.end(), other.seen.begin(), other.seen.end());
     rays += other.rays;
+    points += other.points;
+    points_of_few += other.points_of_few;
 }
 
 void TermSums::add(std::span<const double> terms) {

@@ -131,7 +131,7 @@ class Search {
 
     Audit audited(int draws, RayCounts& rays) {
         Audit a = audit(truth_, *samples_, prediction_.errors(*samples_),
-                        {draws, audits_++, shares_}, {});
+                        {draws, audits_++, shares_, points_}, {});
         rays += a.rays;
         return a;
     }
@@ -145,8 +145,9 @@ class Search {
         return e.effective_draws >= sure_effective_draws && is_below(e, deciding_margin);
     }
 
-    /// An audit that decides: half of its draws, and the others where these leave it open; larger
-    /// ones, drawn by what the smaller have found, until enough draws carry it.
+    /// An audit that decides: half of its draws, and the others where these leave it open; then one
+    /// of more points, and larger ones, drawn by what the smaller have found, until enough draws
+    /// carry it.
     ErrorEstimate judged() {
         const int most = most_draws(*samples_);
         for (;;) {
@@ -155,11 +156,32 @@ class Search {
             if (is_decided(e)) return e;
             judge_.add(audited(draws_ / 2, report_.deciding));
             e = estimate(judge_.terms);
-            if (e.all_zero || e.effective_draws >= least_effective_draws || draws_ >= most)
+            if (e.all_zero || e.effective_draws >= least_effective_draws) return e;
+            if (2 * e.effective_draws >= least_effective_draws && 2 * draws_ <= most) {
+                judge_.add(audited(draws_, report_.deciding));  // as many again may be enough
+                draws_ *= 2;
+                e = estimate(judge_.terms);
+                if (e.effective_draws >= least_effective_draws) return e;
+            }
+            if (points_ < many_points) {
+                points_ = many_points;
+            } else if (draws_ < most) {
+                draws_ = std::min(most, 2 * draws_);
+            } else {
                 return e;
-            draws_ = std::min(most, 2 * draws_);
+            }
             shares_ = best_shares(judge_.seen);
         }
+    }
+
+    /// Whether estimates of few points would tell as much by fewer rays, with draws enough.
+    static bool few_points_pay(const Audit& first, const ErrorEstimate& of_many) {
+        const ErrorEstimate of_few = estimate(first.terms_of_few);
+        const auto price = [](const ErrorEstimate& e, std::uint64_t points) {
+            return square(e.log_error()) * static_cast<double>(points);
+        };
+        return of_few.mean_square > 0 && 2 * of_few.effective_draws >= least_effective_draws &&
+               price(of_few, first.points_of_few) < price(of_many, first.points);
     }
 
     int judged_draws() const { return static_cast<int>(judge_.terms.size()); }
@@ -182,7 +204,7 @@ class Search {
 
     /// Larger audits cost rays, and save some: the surer they are, the nearer to the goal the
     /// picture may stop.
-    int best_draws(const ErrorEstimate& first, std::uint64_t rays_of_first) const {
+    int best_draws(const ErrorEstimate& first, double rays_of_first) const {
         const double pixels = static_cast<double>(samples_->size());
         const RayCounts& so_far = samples_->rays();
         const double per_sample =
@@ -197,7 +219,7 @@ class Search {
             const double cost =
                 (target > 0 ? rays_for(*samples_, prediction_, target) * pixels * per_sample
                             : goal_.most_rays_per_pixel * pixels) +
-                2.0 * draws / first_draws * static_cast<double>(rays_of_first);
+                2.0 * draws / first_draws * rays_of_first;
             if (best == 0 || cost < least) {
                 best = draws;
                 least = cost;
@@ -217,9 +239,18 @@ class Search {
         if (!e.all_zero) {  // which would correct nothing
             correct(e);
             // An audit that is the last to decide must have drawn as the printed one will.
-            if (!is_settled) shares_ = best_shares(judge_.seen);
-            draws_ = best_draws(e, report_.deciding.rays() - before);
-            expected_error = log_error(e, first_draws, draws_);
+            double rays_of_first = static_cast<double>(report_.deciding.rays() - before);
+            ErrorEstimate known = e;
+            if (!is_settled) {
+                shares_ = best_shares(judge_.seen);
+                if (few_points_pay(judge_, e)) {
+                    points_ = few_points;
+                    known = estimate(judge_.terms_of_few);
+                    rays_of_first *= double(judge_.points_of_few) / double(judge_.points);
+                }
+            }
+            draws_ = best_draws(known, rays_of_first);
+            expected_error = log_error(known, first_draws, draws_);
         }
         if (is_settled ? misses_rare_light() : !decide_by_rounds(e, expected_error)) return;
         // As many as a told interval takes, by what the last audit says.
@@ -322,8 +353,9 @@ class Search {
     std::uint64_t audits_ = 0;
     int draws_ = 0;
     DrawShares shares_ = first_shares;
-    Audit judge_;          ///< the last that decided
-    double expected_ = 0;  ///< samples of the whole picture, for progress
+    std::uint32_t points_ = many_points;  ///< of an estimate, in the next audit
+    Audit judge_;                         ///< the last that decided
+    double expected_ = 0;                 ///< samples of the whole picture, for progress
 };
 
 }  // namespace
