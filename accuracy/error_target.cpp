@@ -85,10 +85,10 @@ class Search {
             bias(renderer, report_.limits, truth_, view_, goal_.seed, report_.deciding);
         bias_ = std::max(0.0, cut.mean_square);
         if (cut.mean_square - 2 * cut.standard_error > square(goal_.max_error)) {
-            throw Unreachable(fmt::format(
-                "an error of {} cannot be reached with these settings: what they leave out costs "
-                "an RMSE of {:.2g} by itself",
-                goal_.max_error, cut.rmse));
+            throw Unreachable(
+                fmt::format("an error of {} cannot be reached with these settings: what they leave "
+                            "out already makes an RMSE of {:.2g}",
+                            goal_.max_error, cut.rmse));
         }
         bias_ = std::min(bias_, square(goal_.max_error) / 2);
     }
@@ -107,8 +107,8 @@ class Search {
             std::sqrt((mean_square_for(*samples_, prediction_, goal_.most_rays_per_pixel) + bias_) /
                       sampling_share);
         throw Unreachable(fmt::format(
-            "an error of {} needs more than {} rays a pixel in this {}; about {:.2g} "
-            "can be reached",
+            "an error of {} needs more than {} rays per pixel in this {}; about {:.2g} can be "
+            "reached",
             goal_.max_error, goal_.most_rays_per_pixel, goal_.rows ? "part" : "scene", reachable));
     }
 

@@ -97,10 +97,10 @@ class Search {
         report_.deciding += count.rays;
         const OffEstimate left_out = estimate(count);
         if (left_out.low <= goal_.share) return;
-        throw Unreachable(fmt::format(
-            "at most {:g} % off by more than {:g} steps cannot be reached with these settings: "
-            "what they leave out puts {:.2g} % off by itself",
-            100 * goal_.share, goal_.steps, 100 * left_out.share));
+        throw Unreachable(
+            fmt::format("at most {:g} % off by more than {:g} steps cannot be reached with these "
+                        "settings: what they leave out already puts {:.2g} % off",
+                        100 * goal_.share, goal_.steps, 100 * left_out.share));
     }
 
     void begin() {
@@ -110,11 +110,11 @@ class Search {
         const OffAllocation wanted =
             allocation_for(*samples_, prediction_, goal_.threshold(), goal_.share / 2, most_rays_);
         if (wanted.share <= goal_.share / 2) return;
-        throw Unreachable(fmt::format(
-            "at most {:g} % off by more than {:g} steps needs more than {} rays a pixel in this "
-            "{}; about {:.2g} % can be reached",
-            100 * goal_.share, goal_.steps, goal_.most_rays_per_pixel,
-            goal_.rows ? "part" : "scene", 200 * wanted.share));
+        throw Unreachable(
+            fmt::format("at most {:g} % off by more than {:g} steps needs more than {} rays per "
+                        "pixel in this {}; about {:.2g} % can be reached",
+                        100 * goal_.share, goal_.steps, goal_.most_rays_per_pixel,
+                        goal_.rows ? "part" : "scene", 200 * wanted.share));
     }
 
     bool refine_to(double share) {

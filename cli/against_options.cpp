@@ -24,9 +24,9 @@ judge::Encoding parse_encoding(const std::string& text) {
     } catch (const UsageError&) {
         // said below
     }
-    throw UsageError("'" + text +
-                     "' is no encoding: expected auto, linear, srgb, or a gamma of 0.1 to 10 as in "
-                     "2.2");
+    throw UsageError(
+        "'" + text +
+        "' is not an encoding: expected auto, linear, srgb, or a gamma from 0.1 to 10, as in 2.2");
 }
 
 void parse_center(const std::string& text, judge::Reading& reading) {
@@ -35,8 +35,8 @@ void parse_center(const std::string& text, judge::Reading& reading) {
         const double value = parse_number(word);
         if (!(value >= 0 && value <= 1)) {
             throw UsageError(
-                fmt::format("'{}' is no place in a pixel: expected X or X,Y of 0 to 1 from its "
-                            "upper left corner; 0.5 is the centre",
+                fmt::format("'{}' is not a position in a pixel: expected X or X,Y from 0 to 1, "
+                            "from its upper left corner; 0.5 is the centre",
                             text));
         }
         return value;
@@ -50,8 +50,8 @@ void parse_center(const std::string& text, judge::Reading& reading) {
 void add_against_options(CLI::App& app, AgainstOptions& options) {
     const char* group = "Another renderer's picture";
     app.add_option("--against", options.pictures,
-                   "Judge this picture in place of POV-Ray's; or a folder of pictures, called like "
-                   "the scenes")
+                   "Judge this picture instead of POV-Ray's; or a folder of pictures with the "
+                   "names of the scenes")
         ->type_name("PICTURE")
         ->group(group);
     app.add_option_function<std::string>(
@@ -60,7 +60,7 @@ void add_against_options(CLI::App& app, AgainstOptions& options) {
                options.reading.encoding = parse_encoding(text);
                options.reading_is_given = true;
            },
-           "What its numbers are: auto (what the file says; default), linear, srgb, or a gamma "
+           "Encoding of its values: auto (what the file says; default), linear, srgb, or a gamma "
            "such as 2.2")
         ->type_name("auto|linear|srgb|GAMMA")
         ->group(group);
@@ -72,7 +72,7 @@ void add_against_options(CLI::App& app, AgainstOptions& options) {
                    throw UsageError("--exposure must be greater than 0");
                options.reading_is_given = true;
            },
-           "The picture holds light times X (default 1)")
+           "The picture contains X times the light (default 1)")
         ->type_name("X")
         ->group(group);
     app.add_option_function<std::string>(
@@ -81,7 +81,7 @@ void add_against_options(CLI::App& app, AgainstOptions& options) {
                parse_center(text, options.reading);
                options.reading_is_given = true;
            },
-           "Where in a pixel its ray goes through, from the upper left corner (default 0.5)")
+           "Where its rays pass through the pixels, from the upper left corner (default 0.5)")
         ->type_name("X[,Y]")
         ->group(group);
 }
@@ -93,8 +93,8 @@ std::string picture_for(const AgainstOptions& options, const std::string& scene,
         return judge::picture_in_folder(options.pictures, scene);
     if (scenes > 1) {
         throw UsageError(
-            fmt::format("--against '{}' is one picture, and there are {} scenes: give "
-                        "a folder of pictures that are called like them",
+            fmt::format("--against '{}' is one picture, but there are {} scenes: give a folder of "
+                        "pictures with the names of the scenes",
                         options.pictures, scenes));
     }
     return options.pictures;

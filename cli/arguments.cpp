@@ -52,8 +52,8 @@ PictureSize parse_size(const std::string& text) {
     const auto fits = [](int side) { return side >= 1 && side <= largest; };
     if (!sides || !fits((*sides)[0]) || !fits((*sides)[1])) {
         throw UsageError(fmt::format(
-            "'{}' is no picture size: expected WIDTHxHEIGHT of 1 to {} pixels, as in 640x480", text,
-            largest));
+            "'{}' is not a picture size: expected WIDTHxHEIGHT of 1 to {} pixels, as in 640x480",
+            text, largest));
     }
     return {(*sides)[0], (*sides)[1]};
 }
@@ -62,10 +62,10 @@ PartOf parse_part(const std::string& text) {
     constexpr int most = 65535;
     const auto part = read_list<2>(text, '/');
     if (!part || (*part)[1] < 1 || (*part)[1] > most)
-        throw UsageError(fmt::format("'{}' is no part: expected K/N, as in 3/12", text));
+        throw UsageError(fmt::format("'{}' is not a part: expected K/N, as in 3/12", text));
     const auto [number, count] = *part;
     if (number < 1 || number > count) {
-        throw UsageError(fmt::format("there is no part {} of {}: the first is 1, the last {}",
+        throw UsageError(fmt::format("there is no part {} of {}: parts are numbered from 1 to {}",
                                      number, count, count));
     }
     return {number, count};
@@ -75,7 +75,8 @@ Crop parse_crop(const std::string& text) {
     const auto v = read_list<4>(text, ',');
     if (!v || (*v)[0] < 0 || (*v)[1] < 0 || (*v)[2] < 1 || (*v)[3] < 1) {
         throw UsageError(fmt::format(
-            "'{}' is no crop: expected X,Y,WIDTH,HEIGHT in pixels from the top left corner", text));
+            "'{}' is not a crop: expected X,Y,WIDTH,HEIGHT in pixels from the top left corner",
+            text));
     }
     return {(*v)[0], (*v)[1], (*v)[2], (*v)[3]};
 }
@@ -89,12 +90,13 @@ FrameRange parse_frames(const std::string& text) {
         const auto last = read<std::int64_t>(std::string_view(text).substr(dots + 2));
         if (first && last && std::abs(*first) <= largest && std::abs(*last) <= largest) {
             if (*first > *last)
-                throw UsageError(
-                    fmt::format("'{}' holds no frame: the first is above the last", text));
+                throw UsageError(fmt::format(
+                    "'{}' contains no frame: the first number is greater than the last", text));
             return {*first, *last};
         }
     }
-    throw UsageError(fmt::format("'{}' is no range of frames: expected A..B, as in 1..10", text));
+    throw UsageError(
+        fmt::format("'{}' is not a range of frames: expected A..B, as in 1..10", text));
 }
 
 OffTarget parse_off_target(const std::string& text) {
@@ -107,10 +109,10 @@ OffTarget parse_off_target(const std::string& text) {
         if (share && steps) {
             if (!(*share >= 0.03 && *share <= 50))
                 throw UsageError(fmt::format(
-                    "--max-off {}: the share of pixels lies between 0.03% and 50%", text));
+                    "--max-off {}: the share of pixels must be between 0.03% and 50%", text));
             if (!(*steps >= 0.1 && *steps <= 254))
-                throw UsageError(
-                    fmt::format("--max-off {}: the steps lie between 0.1 and 254", text));
+                throw UsageError(fmt::format(
+                    "--max-off {}: the number of steps must be between 0.1 and 254", text));
             return {*share / 100, *steps};
         }
     }
@@ -123,20 +125,21 @@ OffTarget parse_off_target(const std::string& text) {
 void check_crop(const Crop& crop, int width, int height) {
     if (crop.x >= width || crop.y >= height || crop.width > width - crop.x ||
         crop.height > height - crop.y) {
-        throw UsageError(fmt::format("--crop {},{},{},{} leaves the picture of {}x{} pixels",
+        throw UsageError(fmt::format("--crop {},{},{},{} is not within the picture of {}x{} pixels",
                                      crop.x, crop.y, crop.width, crop.height, width, height));
     }
 }
 
 double parse_number(const std::string& text) {
     const auto value = read<double>(text);
-    if (!value || !std::isfinite(*value)) throw UsageError(fmt::format("'{}' is no number", text));
+    if (!value || !std::isfinite(*value))
+        throw UsageError(fmt::format("'{}' is not a number", text));
     return *value;
 }
 
 std::int64_t parse_whole_number(const std::string& text) {
     const auto value = read<std::int64_t>(text);
-    if (!value) throw UsageError(fmt::format("'{}' is no whole number", text));
+    if (!value) throw UsageError(fmt::format("'{}' is not a whole number", text));
     return *value;
 }
 
@@ -152,7 +155,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
                 throw UsageError(
                     most == std::numeric_limits<double>::max()
                         ? fmt::format("{} must be at least {}", name, least)
-                        : fmt::format("{} must lie between {} and {}", name, least, most));
+                        : fmt::format("{} must be between {} and {}", name, least, most));
             }
             target = value;
         },
@@ -167,7 +170,7 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
         [&target, name, least, most](const std::string& text) {
             const std::int64_t value = parse_whole_number(text);
             if (value < least || value > most)
-                throw UsageError(fmt::format("{} must lie between {} and {}", name, least, most));
+                throw UsageError(fmt::format("{} must be between {} and {}", name, least, most));
             target = value;
         },
         help);
@@ -183,7 +186,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::vector<std:
             [words = std::move(words), noun, take = std::move(take)](const std::string& text) {
                 const auto found = std::ranges::find(words, text);
                 if (found == words.end()) {
-                    throw UsageError(fmt::format("'{}' is no {}: expected {} or {}", text, noun,
+                    throw UsageError(fmt::format("'{}' is not a {}: expected {} or {}", text, noun,
                                                  fmt::join(words.begin(), words.end() - 1, ", "),
                                                  words.back()));
                 }

@@ -49,7 +49,7 @@ void add_check(CLI::App& app, Action& action) {
     command.add_option("SCENE", job->scenes, "Scene files; - reads standard input")
         ->required()
         ->type_name("");
-    command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes and warnings");
+    command.add_flag("-q,--quiet", job->quiet, "Print only mistakes and warnings");
     add_scene_options(command, job->scene_options);
     command.footer(
         "Examples:"

@@ -123,8 +123,8 @@ ExitCode compare(const CompareJob& job, Session& session) {
     if (!job.report.empty()) throw UsageError("--report takes two folders of pictures");
     if (!job.junit.empty()) throw UsageError("--junit takes two folders of pictures");
     if (!job.heat_map.empty() && !io::is_writable_image_name(job.heat_map)) {
-        throw UsageError(
-            fmt::format("'{}' does not end in the name of an image format, as .png", job.heat_map));
+        throw UsageError(fmt::format(
+            "'{}' does not end in the name of an image format, such as .png", job.heat_map));
     }
     session.will_write(job.heat_map, "-o");
     session.will_write(job.json, "--json");
@@ -152,30 +152,33 @@ void add_compare(CLI::App& app, Action& action) {
     CLI::App& command =
         *app.add_subcommand("compare", "Measure how far apart two pictures are, in linear light");
     const auto job = std::make_shared<CompareJob>();
-    command.add_option("A", job->a, "A picture, or a folder of pictures")
+    command.add_option("A", job->a, "The first picture, or folder of pictures")
         ->required()
         ->type_name("");
-    command.add_option("B", job->b, "The other one")->required()->type_name("");
+    command.add_option("B", job->b, "The second picture, or folder of pictures")
+        ->required()
+        ->type_name("");
     command.add_option("-o,--output", job->heat_map, "Write the differences as a heat map")
         ->type_name("HEAT.png");
     add_number(command, "--fail", job->fail, 0, std::numeric_limits<double>::max(),
-               "A pixel that differs by more than X is over (default 0)")
+               "A pixel that differs by more than X counts as over (default 0)")
         ->type_name("X");
     add_number(command, "--fail-percent", job->fail_percent, 0, 100,
-               "More than P percent of the pixels over: the pictures differ (default 0)")
+               "The pictures differ when more than P percent of the pixels are over (default 0)")
         ->type_name("P");
     command
         .add_option("--mask", job->mask,
-                    "Compare only where this picture is not black; of folders also a folder of "
-                    "masks, by name")
+                    "Compare only where this picture is not black; with folders also a folder of "
+                    "masks with the same names")
         ->type_name("MASK.png");
     command.add_flag("--edges", job->edges,
-                     "Edges may lie a pixel's width elsewhere: such pixels do not count as over");
-    add_whole_number(command, "--window", job->window, 1, 65535,
-                     "Side of the window in which differences crowd most (default 16)")
+                     "Edges may be displaced by up to one pixel: such pixels do not count as over");
+    add_whole_number(
+        command, "--window", job->window, 1, 65535,
+        "Side, in pixels, of the window that is searched for the most differences (default 16)")
         ->type_name("N");
     add_number(command, "--fail-window", job->fail_window, 0, 100,
-               "More than P percent of any window over: the pictures differ (default 100)")
+               "The pictures differ when more than P percent of any window are over (default 100)")
         ->type_name("P");
     command.add_option("--json", job->json, "Write the measures as JSON; - to standard output")
         ->type_name("FILE");
@@ -186,10 +189,11 @@ void add_compare(CLI::App& app, Action& action) {
     add_number(command, "--exposure", job->exposure, 0, std::numeric_limits<double>::max(),
                "Multiply A by X and clip it to 0..1 first, as validate does")
         ->type_name("X");
-    command.add_option("--report", job->report, "Two folders: write DIR/index.html, to look at")
+    command.add_option("--report", job->report, "Two folders: write the page DIR/index.html")
         ->type_name("DIR");
     add_picture_options(command);
-    command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
+    command.add_flag("-q,--quiet", job->quiet,
+                     "Print nothing: only the exit code tells the result");
     command.footer(
         "Examples:"
         "\n  lancer compare a.png b.png -o differences.png --fail 0.004"

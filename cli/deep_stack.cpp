@@ -21,7 +21,8 @@ void run_on_deep_stack(const Limits& limits, const std::function<void()>& work) 
     try {
         lancer::run_on_deep_stack(factor * default_stack, work);
     } catch (const std::system_error&) {
-        throw FileError("no memory for the recursion that --limit-nesting or --limit-calls allow");
+        throw FileError(
+            "not enough memory for the recursion that --limit-nesting or --limit-calls allow");
     }
 }
 

@@ -145,7 +145,7 @@ class PassPace {
     void check(double needed) const {
         if (last_ + needed / 3 <= *options_.seconds) return;
         throw UsageError(fmt::format(
-            "--time {:g} is too short for a ray a pixel and {}: that takes about {:.2g} s",
+            "--time {:g} is too short for one ray per pixel and {}: that takes about {:.2g} s",
             *options_.seconds, options_.no_audit ? "the file" : "an audit", last_ + needed));
     }
 

@@ -17,17 +17,17 @@ std::string places(const std::vector<accuracy::PixelShare>& pixels) {
 
 std::string cost(const accuracy::ErrorReport& r) {
     std::string text =
-        fmt::format("{:.3g} rays a pixel; as many in each would take about {:.2g}",
+        fmt::format("{:.3g} rays per pixel; the same number in each pixel would take about {:.2g}",
                     r.rays_per_pixel, std::max(r.even_rays_per_pixel, r.rays_per_pixel));
-    if (r.passes > 0) text += fmt::format("; --passes {} makes it again", r.passes);
+    if (r.passes > 0) text += fmt::format("; --passes {} makes the same picture again", r.passes);
     return text;
 }
 
 std::string off_line(const accuracy::ErrorReport& r) {
     const accuracy::OffReport& off = *r.off;
     const std::string end = fmt::format(
-        "of the pixels are off by more than {:g} steps of 8 bits{}, asked {:g} %; "
-        "{:.3g} rays a pixel",
+        "of the pixels are off by more than {:g} steps of 8 bits{}, asked {:g} %; {:.3g} rays per "
+        "pixel",
         off.steps, r.audited ? "" : " by the picture's own samples, not audited", 100 * off.asked,
         r.rays_per_pixel);
     if (!r.audited) return fmt::format("about {:.2g} % {}", 100 * off.predicted, end);
@@ -47,23 +47,22 @@ std::string error_line(const accuracy::ErrorReport& r) {
                            asked);
     if (r.rare_light) {
         return fmt::format(
-            "the error cannot be told: single rays met light unlike all around it, and may have "
-            "missed more; pixels {}; {}",
+            "the error is not known: single rays met light that differs from all around it, and "
+            "more of it may have been missed; pixels {}; {}",
             places(r.dominant), asked);
     }
     if (r.is_flat())
-        return fmt::format("no error was found by {} rays of an audit, {}", r.printed.primary,
-                           asked);
+        return fmt::format("an audit of {} rays found no error, {}", r.printed.primary, asked);
     if (e.all_zero) {
         return fmt::format(
-            "the error cannot be told: {} rays of an audit found none, but the picture's own "
-            "samples differ; {}",
+            "the error is not known: an audit of {} rays found none, but the picture's own samples "
+            "differ; {}",
             r.printed.primary, asked);
     }
     if (!r.is_told) {
         return fmt::format(
-            "the error cannot be told: a few pixels carry what an audit found ({:.0f} draws would "
-            "tell as much); most of it in {}; {}",
+            "the error is not known: a few pixels make up most of what an audit found ({:.0f} "
+            "equal draws would tell as much); most of it in {}; {}",
             r.effective_draws, places(r.dominant), asked);
     }
     return fmt::format("RMSE {:.2g} ({:.2g} to {:.2g}; {:.1f} steps of 8 bits), {}", e.rmse, e.low,

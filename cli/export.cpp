@@ -43,16 +43,16 @@ void show_reservations(const reference::ExportResult& result, const Scene& scene
         if (c.resolution == reference::Coincidence::Resolution::hidden) continue;
         Diagnostic both{Severity::warning,
                         scene.objects[c.second].place,
-                        "a face lies in one place with a face of another object; POV-Ray finds one "
-                        "of the two by no rule (coincident-surfaces)",
-                        fmt::format("--resolve-coincidences tells them apart ({})",
+                        "a face coincides with a face of another object; which of the two POV-Ray "
+                        "shows follows no rule (coincident-surfaces)",
+                        fmt::format("use --resolve-coincidences to separate them ({})",
                                     reference::resolution_name(c.resolution)),
                         {}};
         if (c.resolution == reference::Coincidence::Resolution::none)
             both.hint = "move one of the two a little";
         if (c.first == c.second)
             both.message =
-                "faces of two parts of this body lie in one place; POV-Ray finds one of the two by "
+                "faces of two parts of this body coincide; which of the two POV-Ray shows follows "
                 "no rule (coincident-surfaces)";
         else
             both.notes.push_back(
@@ -78,13 +78,14 @@ void check_own(const ExportJob& job, const std::string& path) {
     if (job.force || io::is_stream(path) || !fs::exists(path, ignored)) return;
     if (reference::is_signed(io::read_file(path))) return;
     throw UsageError(fmt::format(
-        "'{}' is there already, and not as lancer export wrote it: --force replaces it", path));
+        "'{}' exists and is not as lancer export wrote it: use --force to replace it", path));
 }
 
 ExitCode export_scene(const ExportJob& job, Session& session) {
     const fs::path output(job.output);
     if (output.extension() != ".pov")
-        throw UsageError(fmt::format("'{}': the name of a POV-Ray scene ends in .pov", job.output));
+        throw UsageError(
+            fmt::format("'{}': the name of a POV-Ray scene must end in .pov", job.output));
 
     session.will_write(job.output, "-o");
     check_own(job, job.output);
@@ -130,29 +131,33 @@ void add_export(CLI::App& app, Action& action) {
     command.add_option("SCENE", job->scene, "Scene file; - reads standard input")
         ->required()
         ->type_name("");
-    command.add_option("-o,--output", job->output, "POV-Ray scene; its images are put beside it")
+    command
+        .add_option("-o,--output", job->output,
+                    "POV-Ray scene; its images are written to the same folder")
         ->required()
         ->type_name("OUT.pov");
-    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+    command.add_option("--camera", job->camera, "Name of the camera; by default the first one")
         ->type_name("NAME");
     command
         .add_option_function<std::string>(
             "--size", [job](const std::string& text) { job->size = parse_size(text); },
             "Size of the picture in pixels")
         ->type_name("WxH");
-    command.add_flag("--keep-lengths", job->keep_lengths,
-                     "Lengths as in the scene, not those at which POV-Ray is most exact");
+    command.add_flag(
+        "--keep-lengths", job->keep_lengths,
+        "Keep the scene's lengths; by default they are scaled to where POV-Ray is most exact");
     command.add_flag("--resolve-coincidences", job->resolve_coincidences,
-                     "Tell faces in one place apart by a hair, as Lancer's contact rule does");
+                     "Separate coincident faces by a tiny distance, so that POV-Ray shows what "
+                     "Lancer's contact rule shows");
     add_number(command, "--exposure", job->exposure, 1e-300, 1e300,
-               "Multiply all light by X, so that nothing passes 1 and is clipped")
+               "Multiply all light by X, so that no value is above 1 and clipped")
         ->type_name("X");
     add_number(command, "--min-contribution", job->min_contribution, 0, 1,
-               "In place of the scene's, as adc_bailout; 0 follows every branch")
+               "Replaces the scene's min_contribution, as adc_bailout; 0: all rays are followed")
         ->type_name("X");
     command.add_flag("--force", job->force,
-                     "Replace files that export did not write, or that were changed since");
-    command.add_flag("-q,--quiet", job->quiet, "Nothing but mistakes");
+                     "Also replace files that export did not write, or that were changed since");
+    command.add_flag("-q,--quiet", job->quiet, "Print only mistakes");
     add_scene_options(command, job->scene_options);
     command.footer(
         "Examples:"

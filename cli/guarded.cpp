@@ -44,7 +44,7 @@ ExitCode caught(Session& session, const std::function<ExitCode()>& run) {
     } catch (const std::exception& error) {
         return bug(session, error.what());
     } catch (...) {
-        return bug(session, "something was thrown that is no exception");
+        return bug(session, "something was thrown that is not an exception");
     }
 }
 

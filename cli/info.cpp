@@ -156,12 +156,12 @@ ExitCode info(const InfoJob& job, Session& session) {
 
 void add_info(CLI::App& app, Action& action) {
     CLI::App& command = *app.add_subcommand(
-        "info", "Tell what a scene holds, what it requires of the renderer, and why");
+        "info", "Show what a scene contains, what it requires of the renderer, and why");
     const auto job = std::make_shared<InfoJob>();
     command.add_option("SCENE", job->scene, "Scene file; - reads standard input")
         ->required()
         ->type_name("");
-    command.add_flag("--json", job->json, "As JSON");
+    command.add_flag("--json", job->json, "Print JSON");
     add_scene_options(command, job->scene_options);
     command.footer(
         "Examples:"

@@ -63,8 +63,7 @@ class Parts {
                 told && (sums.empty() || (told->audited == sums[0].audited &&
                                           told->off.has_value() == sums[0].off.has_value()));
             if (!fits) {
-                throw FileError(
-                    fmt::format("'{}' is damaged: it does not tell its error", part->path()));
+                throw FileError(fmt::format("'{}' is damaged: its error is missing", part->path()));
             }
             sums.push_back(*told);
         }
@@ -137,7 +136,7 @@ ExitCode run(const JoinJob& job, Session& session) {
     const io::PartHead& head = parts.head();
     if (const std::string missing = parts.missing(); !missing.empty()) {
         session.terminal.error(
-            fmt::format("of {} parts these are missing: {}", head.count, missing));
+            fmt::format("of {} parts, these are missing: {}", head.count, missing));
         return ExitCode::try_again;
     }
     Image like;
@@ -168,7 +167,7 @@ ExitCode run(const JoinJob& job, Session& session) {
 
 void add_join(CLI::App& app, Action& action) {
     CLI::App& command =
-        *app.add_subcommand("join", "Put the parts of a picture together (render --part)");
+        *app.add_subcommand("join", "Join the parts of a picture (made by render --part)");
     const auto job = std::make_shared<JoinJob>();
     command.add_option("PARTS", job->parts, "All parts, in any order")->required()->type_name("");
     command
@@ -177,7 +176,7 @@ void add_join(CLI::App& app, Action& action) {
         ->required()
         ->type_name("OUT");
     add_encoding_options(command, job->image);
-    command.add_flag("-q,--quiet", job->quiet, "No progress bar and no closing line");
+    command.add_flag("-q,--quiet", job->quiet, "Print no progress bar and no closing line");
     command.footer(
         "Examples:"
         "\n  lancer render scene.lancer --part 1/2"

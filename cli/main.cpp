@@ -40,14 +40,14 @@ std::string habit_hint(const CLI::App& command, std::string word) {
         const char* hint;
     };
     static constexpr Habit habits[] = {
-        {"--width", "--size", "the size of a picture is --size 640x480"},
-        {"--height", "--size", "the size of a picture is --size 640x480"},
-        {"--resolution", "--size", "the size of a picture is --size 640x480"},
-        {"--res", "--size", "the size of a picture is --size 640x480"},
-        {"--spp", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
-        {"--antialias", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
-        {"--aa", "--samples", "rays per pixel are --samples 3, for 3 x 3"},
-        {"--draft", "--preview", "a quick look is --preview"},
+        {"--width", "--size", "use --size 640x480 for the size of a picture"},
+        {"--height", "--size", "use --size 640x480 for the size of a picture"},
+        {"--resolution", "--size", "use --size 640x480 for the size of a picture"},
+        {"--res", "--size", "use --size 640x480 for the size of a picture"},
+        {"--spp", "--samples", "use --samples 3 for 3 x 3 rays per pixel"},
+        {"--antialias", "--samples", "use --samples 3 for 3 x 3 rays per pixel"},
+        {"--aa", "--samples", "use --samples 3 for 3 x 3 rays per pixel"},
+        {"--draft", "--preview", "use --preview for a quick look"},
     };
     word = word.substr(0, word.find('='));
     for (const Habit& habit : habits) {
@@ -65,7 +65,7 @@ std::string unexpected_argument(const CLI::App& app, const std::string& otherwis
         // What follows an unknown option may have been meant as its value.
         const auto option = std::ranges::find_if(
             rest, [](const std::string& argument) { return argument.starts_with("-"); });
-        if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
+        if (option == rest.end()) return "unexpected argument '" + rest.front() + "'";
         const std::string& word = *option;
         const std::string start =
             "'" + command->get_name() + "' has no option '" + word.substr(0, word.find('=')) + "'";

@@ -25,7 +25,7 @@ std::vector<Diagnostic> smoothed_edges(const Scene& scene) {
                          fmt::format("this mesh has no normals, so it is smoothed over all edges, "
                                      "{} of them sharper than {} degrees",
                                      count, sharp),
-                         "'smooth 40' keeps sharp edges, 'smooth false' all",
+                         "use 'smooth 40' to keep sharp edges, or 'smooth false' to keep all edges",
                          {}});
     });
     return found;

@@ -36,7 +36,7 @@ void check_picture_name(const std::string& output, const io::ImageWriteOptions& 
         throw FileError(fmt::format("cannot write '{}': it is a folder", output));
     if (!io::is_writable_image_name(output)) {
         throw UsageError(fmt::format(
-            "'{}': the name of a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm",
+            "'{}': the name of a picture must end in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm",
             output));
     }
     const std::string ending = ending_of(output);
@@ -69,7 +69,7 @@ FrameNames::FrameNames(const std::string& pattern) {
             width = width * 10 + static_cast<std::size_t>(pattern[at++] - '0');
         if (number_found || width > widest || pattern.substr(at, 1) != "d") {
             throw UsageError(fmt::format(
-                "'{}' is no pattern for frames: expected one %d, as in out-%04d.png", pattern));
+                "'{}' is not a pattern for frames: expected one %d, as in out-%04d.png", pattern));
         }
         width_ = width;
         number_found = true;

@@ -47,8 +47,8 @@ std::vector<std::string> names_of(const std::vector<std::string>& scenes) {
         const bool alone = stems.count(stem(path)) == 1 || folder.empty();
         names.push_back(alone ? stem(path) : folder + "-" + stem(path));
         if (std::count(names.begin(), names.end(), names.back()) > 1)
-            throw UsageError(
-                fmt::format("two of the scenes would be called '{}' in the pack", names.back()));
+            throw UsageError(fmt::format("two of the scenes would have the name '{}' in the pack",
+                                         names.back()));
     }
     return names;
 }
@@ -58,13 +58,12 @@ void check_folder(const std::string& folder) {
     std::error_code ignored;
     if (!fs::exists(folder, ignored)) return;
     if (!fs::is_directory(folder, ignored))
-        throw UsageError(fmt::format("'{}' is a file; a pack is a folder", folder));
+        throw UsageError(fmt::format("'{}' is a file, but a pack is a folder", folder));
     const std::string index = folder + "/pack.json";
     if (fs::exists(index, ignored) && judge::is_pack_index(io::read_file(index, 1 << 24))) return;
     if (!fs::is_empty(folder, ignored)) {
         throw UsageError(fmt::format(
-            "'{}' holds other files, and no pack that could be replaced: name a new folder",
-            folder));
+            "'{}' contains files that are not an earlier pack: choose a new folder", folder));
     }
 }
 
@@ -106,7 +105,7 @@ class Packer {
                             job_.output, packed, packed == 1 ? "" : "s",
                             static_cast<double>(bytes_) / 1e6, seconds, job_.output));
         if (!left_out.empty() && packed + left_out.size() > 1)
-            session_.output.say(fmt::format("{} of {} scenes left out: {}\n", left_out.size(),
+            session_.output.say(fmt::format("{} of {} scenes were left out: {}\n", left_out.size(),
                                             packed + left_out.size(), fmt::join(left_out, ", ")));
     }
 
@@ -169,20 +168,22 @@ void add_pack(CLI::App& app, Action& action) {
         *app.add_subcommand("pack", "Write what another renderer needs to test itself on scenes");
     const auto job = std::make_shared<PackJob>();
     command.add_option("SCENE", job->scenes, "Scene files")->required()->type_name("");
-    command.add_option("-o,--output", job->output, "A new folder, or that of an earlier pack")
+    command
+        .add_option("-o,--output", job->output, "A new folder, or the folder of an earlier pack")
         ->required()
         ->type_name("DIR");
-    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+    command.add_option("--camera", job->camera, "Name of the camera; by default the first one")
         ->type_name("NAME");
     command
         .add_option_function<std::string>(
             "--size", [job](const std::string& text) { job->size = parse_size(text); },
-            "Size of the pictures; 320 pixels wide by default, in the scene's proportions")
+            "Size of the pictures; by default 320 pixels wide, in the scene's proportions")
         ->type_name("WxH");
     add_whole_number(command, "--probes", job->probes, 0, 100'000,
                      "Pixels with exact values (default 32)")
         ->type_name("N");
-    command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
+    command.add_flag("-q,--quiet", job->quiet,
+                     "Print nothing: only the exit code tells the result");
     add_scene_options(command, job->scene_options);
     command.footer(
         "Examples:"

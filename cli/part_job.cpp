@@ -23,7 +23,7 @@ io::PartHead head_of(const PartOf& part, const View& view, const io::Origin& ori
     head.origin = origin;
     if (part.count > head.height) {
         throw UsageError(
-            fmt::format("--part {}/{}: a picture of {} rows has no more parts than rows",
+            fmt::format("--part {}/{}: a picture of {} rows cannot have more parts than rows",
                         part.number, part.count, head.height));
     }
     return head;

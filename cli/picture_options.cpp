@@ -21,7 +21,7 @@ void add_picture_options(CLI::App& app) {
                [limits, name, member, most](const std::string& text) {
                    const std::int64_t value = parse_whole_number(text);
                    if (value < 1 || value > most)
-                       throw UsageError(fmt::format("{} must lie between 1 and {}", name, most));
+                       throw UsageError(fmt::format("{} must be between 1 and {}", name, most));
                    (*limits).*member = static_cast<std::uint64_t>(value);
                    io::set_picture_limits(*limits);
                },
@@ -30,9 +30,9 @@ void add_picture_options(CLI::App& app) {
             ->group("Limits");
     };
     add("--limit-picture-memory", &io::PictureLimits::memory, 1 << 20,
-        "MiB for decoding a picture file");
+        "Memory for decoding a picture file, in MiB");
     add("--limit-picture-seconds", &io::PictureLimits::seconds, 1'000'000,
-        "Processor seconds for a picture file, besides one for each MiB");
+        "Processor seconds for a picture file, plus one second for each MiB");
 }
 
 void add_encoding_options(CLI::App& app, io::ImageWriteOptions& image) {
@@ -43,10 +43,11 @@ void add_encoding_options(CLI::App& app, io::ImageWriteOptions& image) {
                if (text != "8" && text != "16") throw UsageError("--bits must be 8 or 16");
                image.bits = text == "8" ? 8 : 16;
            },
-           "Bits per channel of PNG, TIFF and PPM; 8 by default")
+           "Bits per channel of PNG, TIFF and PPM; by default 8")
         ->type_name("8|16")
         ->group(group);
-    app.add_flag("--linear", image.linear, "Linear values instead of the sRGB curve")->group(group);
+    app.add_flag("--linear", image.linear, "Write linear values instead of the sRGB curve")
+        ->group(group);
 }
 
 }  // namespace lancer::cli

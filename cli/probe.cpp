@@ -37,7 +37,7 @@ Pixel parse_pixel(const std::string& text) {
     if (comma != std::string::npos) pixel = {read(0, comma), read(comma + 1, text.size())};
     if (pixel.x < 0 || pixel.y < 0)
         throw UsageError(fmt::format(
-            "'{}' is no pixel: expected X,Y from the top left corner, as in 120,60", text));
+            "'{}' is not a pixel: expected X,Y from the top left corner, as in 120,60", text));
     return pixel;
 }
 
@@ -94,7 +94,7 @@ std::string to_text(const ProbeJob& job, const Found& found, const Scene& scene,
                     found.view.height, found.camera.empty() ? "" : ", camera " + found.camera,
                     light_text(found.pixel));
     if (found.samples > 1)
-        out += fmt::format("ray {} of the {} that it is the mean of: {}\n", found.sample + 1,
+        out += fmt::format("ray {} of the {} whose mean it is: {}\n", found.sample + 1,
                            found.samples, light_text(found.tree.color));
     out += fmt::format("through {:.9g},{:.9g} of the picture\n\n", found.at.x, found.at.y);
     return out + ray_tree_text(found.tree, scene, sources);
@@ -162,8 +162,8 @@ ExitCode probe(const ProbeJob& job, Session& session) {
 }  // namespace
 
 void add_probe(CLI::App& app, Action& action) {
-    CLI::App& command =
-        *app.add_subcommand("probe", "Tell why a pixel has its colour: all that its ray does");
+    CLI::App& command = *app.add_subcommand(
+        "probe", "Explain why a pixel has its colour: everything that its ray does");
     const auto job = std::make_shared<ProbeJob>();
     command.add_option("SCENE", job->scene, "Scene file; - reads standard input")
         ->required()
@@ -174,9 +174,8 @@ void add_probe(CLI::App& app, Action& action) {
             "X,Y from the picture's top left corner, as in 120,60; 0,0 is the first")
         ->required()
         ->type_name("");
-    command.add_option("--json", job->json, "Write it as JSON; - to standard output")
-        ->type_name("FILE");
-    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+    command.add_option("--json", job->json, "Write JSON; - to standard output")->type_name("FILE");
+    command.add_option("--camera", job->camera, "Name of the camera; by default the first one")
         ->type_name("NAME");
     command
         .add_option_function<std::string>(
@@ -184,8 +183,8 @@ void add_probe(CLI::App& app, Action& action) {
             "Size of the picture in pixels")
         ->type_name("WxH");
     add_whole_number(command, "--sample", job->sample, 1, 1'000'000'000,
-                     "Which of the pixel's rays, in the order of their sum; the one nearest to its "
-                     "middle by default")
+                     "Which of the pixel's rays, in the order in which they are summed; by default "
+                     "the one nearest to its centre")
         ->type_name("K");
     add_settings_options(command, job->settings);
     add_scene_options(command, job->scene_options);

@@ -68,7 +68,7 @@ class RayTreeText {
             tell(contact, ray.level, depth);
             if (contact.inside != *inside && contact.bent == none)
                 line(depth + 1, contact.inside.empty()
-                                    ? "behind it: nothing around the ray"
+                                    ? "behind it: not inside of anything"
                                     : "behind it, inside of " + names_of(contact.inside));
             inside = &contact.inside;
         }
@@ -80,24 +80,24 @@ class RayTreeText {
             case RayTree::End::open:
                 return;
             case RayTree::End::opaque:
-                line(depth, "ends: nothing comes through that surface");
+                line(depth, "ends: this surface lets nothing through");
                 return;
             case RayTree::End::background:
                 line(depth,
                      scene_.sky
-                         ? fmt::format(
-                               "ends: it meets nothing more; the sky there arrives, times {}",
-                               in_words(ray.share))
-                         : fmt::format("ends: it meets nothing more; of the background {} arrives, "
-                                       "times {}",
-                                       in_words(scene_.background), in_words(ray.share)));
+                         ? fmt::format("ends: it hits nothing more; the colour of the sky is "
+                                       "added, times {}",
+                                       in_words(ray.share))
+                         : fmt::format(
+                               "ends: it hits nothing more; the background {} is added, times {}",
+                               in_words(scene_.background), in_words(ray.share)));
                 return;
             case RayTree::End::depth:
             case RayTree::End::weight:
                 line(depth, "ends: " + why_not(ray.end_weight, ray.end == RayTree::End::depth));
                 return;
             case RayTree::End::passes:
-                line(depth, "ends: it has passed too many surfaces");
+                line(depth, "ends: it has passed through too many surfaces");
                 return;
         }
     }
@@ -109,33 +109,34 @@ class RayTreeText {
 
     void tell(const RayTree::Contact& contact, int level, std::size_t depth) {
         for (const RayTree::Hit& hit : contact.hits)
-            line(depth, fmt::format("at {:.9g} (error below {:.2g}) it meets the {} of {}, face {}",
+            line(depth, fmt::format("at {:.9g} (error below {:.2g}) it hits the {} of {}, face {}",
                                     hit.t, hit.t_error, hit.entering ? "outside" : "inside",
                                     name_of(hit.of), hit.face));
         if (contact.surfaces.empty())
-            line(depth + 1, "equal matter on both sides: no surface, nothing to see");
+            line(depth + 1, "the same medium on both sides: the surface is not visible");
         for (const RayTree::Surface& surface : contact.surfaces)
             tell(surface, contact.hits.size() > 1, level, depth + 1);
         if (contact.bent == none) return;
         const RayTree::Ray& next = tree_.rays[contact.bent];
         line(depth + 1,
              contact.total
-                 ? fmt::format(
-                       "total reflection, indices before and after as {:.6g} : 1; weight {:.6g}",
-                       contact.index_ratio, next.weight)
-                 : fmt::format("refracted, indices before and after as {:.6g} : 1; weight {:.6g}",
-                               contact.index_ratio, next.weight));
+                 ? fmt::format("total reflection, ratio of indices before and after {:.6g} : 1; "
+                               "weight {:.6g}",
+                               contact.index_ratio, next.weight)
+                 : fmt::format(
+                       "refracted, ratio of indices before and after {:.6g} : 1; weight {:.6g}",
+                       contact.index_ratio, next.weight));
         tell(next, depth + 2);
     }
 
     void tell(const RayTree::Surface& surface, bool is_one_of_several, int level,
               std::size_t depth) {
-        if (is_one_of_several) line(depth, "what shows is " + name_of(surface.of));
+        if (is_one_of_several) line(depth, "the visible surface is that of " + name_of(surface.of));
         line(depth, fmt::format("point {} (error below {:.2g}), normal {}", in_words(surface.point),
                                 surface.point_error, in_words(surface.normal)));
         const Vec3d& outward = surface.geometric;
         if (surface.normal != outward && surface.normal != -outward)
-            line(depth, "normal of the geometry, outward: " + in_words(outward));
+            line(depth, "geometric normal, outward: " + in_words(outward));
         tell_material(surface, depth);
         line(depth, fmt::format("ambient and emitted light {}", in_words(surface.glow)));
         for (const RayTree::Light& light : surface.lights) tell(light, depth);
@@ -160,7 +161,7 @@ class RayTreeText {
         if (material.texture != none && scene_.settings.textures)
             text += " of its " + texture_name(scene_.textures[material.texture]);
         if (!is_black(surface.transmittance))
-            text += ", lets pass " + in_words(surface.transmittance);
+            text += ", lets through " + in_words(surface.transmittance);
         line(depth, text);
     }
     std::string texture_name(const Texture& texture) const {
@@ -181,15 +182,15 @@ class RayTreeText {
         const double whole = max_component(own);
         const double left = max_component(light.sent) / whole;
         if (light.sent == own || !(whole > 0)) return in_words(light.sent);
-        return fmt::format("{} ({:.6g} of its color, by fade and spot)", in_words(light.sent),
+        return fmt::format("{} ({:.6g} of its color, after fade and spot)", in_words(light.sent),
                            left);
     }
     std::string outcome(const RayTree::Light& light) const {
         if (!light.asked)
-            return light.cosine > 0 ? "the material answers no light" : "it is behind the surface";
-        if (is_black(light.sent)) return "it sends nothing here";
+            return light.cosine > 0 ? "the material scatters no light" : "it is behind the surface";
+        if (is_black(light.sent)) return "it sends no light here";
         if (is_black(light.share)) return sent_words(light) + " is lost on the way";
-        return fmt::format("of {} arrives {}, adds {}", sent_words(light),
+        return fmt::format("of {}, {} arrives and adds {}", sent_words(light),
                            light.share == Color(1) ? "all" : in_words(light.share),
                            in_words(light.added));
     }
@@ -200,8 +201,8 @@ class RayTreeText {
                 line(depth, "blocked by " + name);
                 return;
             case RayTree::Loss::Kind::surface:
-                line(depth,
-                     fmt::format("at {:.6g}, {} lets pass {}", loss.t, name, in_words(loss.share)));
+                line(depth, fmt::format("at {:.6g}, {} lets through {}", loss.t, name,
+                                        in_words(loss.share)));
                 return;
             case RayTree::Loss::Kind::medium:
                 line(depth, fmt::format("up to {:.6g}, the inside of {} leaves {}", loss.t, name,

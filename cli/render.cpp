@@ -21,8 +21,8 @@ void add_output_options(CLI::App& app, RenderJob& job) {
                if (name.empty()) throw UsageError("-o: the name of the picture is empty");
                job.output = name;
            },
-           "Picture: .png .exr .hdr .tif .tiff .jpg .jpeg .ppm; the scene's name with .png in "
-           "the current folder by default")
+           "Picture: .png .exr .hdr .tif .tiff .jpg .jpeg .ppm; by default the scene's name with "
+           ".png, in the current folder")
         ->type_name("OUT")
         ->group(group);
     add_encoding_options(app, job.image);
@@ -30,31 +30,33 @@ void add_output_options(CLI::App& app, RenderJob& job) {
                  "Also object id, depth, normal and shadow, as channels of an EXR")
         ->group(group);
     app.add_flag("--alpha", job.alpha,
-                 "What hits nothing is transparent, glass before it as far as light passes: for "
-                 ".png, .tif and .exr")
+                 "Make the background transparent, also where it is seen through glass: for .png, "
+                 ".tif and .exr")
         ->group(group);
     app.add_option("--stats", job.statistics,
                    "Write times and counts as JSON; - shows them as text on standard output")
         ->type_name("FILE")
         ->group(group);
-    app.add_flag("-q,--quiet", job.quiet, "No progress bar and no closing line")->group(group);
+    app.add_flag("-q,--quiet", job.quiet, "Print no progress bar and no closing line")
+        ->group(group);
 }
 
 void add_part_options(CLI::App& app, RenderJob& job) {
     const char* group = "Many machines";
     app.add_option_function<std::string>(
            "--part", [&job](const std::string& text) { job.part = parse_part(text); },
-           "The K-th of N parts of the picture, for `join`; of an animation its share of frames")
+           "Render the K-th of N parts of the picture, for `join`; of an animation, its share of "
+           "the frames")
         ->type_name("K/N")
         ->group(group);
     app.add_flag("--resume", job.resume,
-                 "Take what is there when it is whole and the same run would draw it")
+                 "Keep a picture that exists if it is complete and the same run would render it")
         ->group(group);
 }
 
 void add_view_options(CLI::App& app, RenderJob& job) {
     const char* group = "View";
-    app.add_option("--camera", job.camera, "Name of the camera; the first by default")
+    app.add_option("--camera", job.camera, "Name of the camera; by default the first one")
         ->type_name("NAME")
         ->group(group);
     app.add_option_function<std::string>(
@@ -63,11 +65,11 @@ void add_view_options(CLI::App& app, RenderJob& job) {
         ->type_name("WxH")
         ->group(group);
     app.add_flag("--preview", job.preview,
-                 "A quick look: a quarter of the width and of the height, one ray per pixel")
+                 "A quick look: a quarter of the width and height, one ray per pixel")
         ->group(group);
     app.add_option_function<std::string>(
            "--crop", [&job](const std::string& text) { job.crop = parse_crop(text); },
-           "Only this part of the picture, in pixels from its top left corner")
+           "Render only this part of the picture, in pixels from its top left corner")
         ->type_name("X,Y,W,H")
         ->group(group);
     app.add_option_function<std::string>(
@@ -92,13 +94,13 @@ void add_level_option(CLI::App& app, RenderJob& job) {
                                  name_of(levels[i]));
             job.level = levels[i];
         },
-        "Rays side by side; the fastest by default. The picture is the same");
+        "How many rays are traced side by side; by default the fastest. The picture is the same");
 }
 
 void add_error_options(CLI::App& app, RenderJob& job) {
     const char* group = "Error";
     add_number(app, "--max-error", job.error.max_error, 1e-6, 1,
-               "Sample until the error (RMSE, linear light) is below E, and tell it")
+               "Sample until the error (RMSE, linear light) is below E, and report it")
         ->type_name("E")
         ->group(group);
     app.add_option_function<std::string>(
@@ -108,19 +110,20 @@ void add_error_options(CLI::App& app, RenderJob& job) {
         ->type_name("P%:N")
         ->group(group);
     add_number(app, "--time", job.error.seconds, 0.01, 1e6,
-               "The best picture within S seconds, pass by pass")
+               "Make the best picture within S seconds, pass by pass")
         ->type_name("S")
         ->group(group);
     add_whole_number(app, "--passes", job.error.passes, 1, 1'000'000,
-                     "As many passes of --time: the same picture as with so many")
+                     "Make this number of passes, as --time would: the picture can be repeated")
         ->type_name("K")
         ->group(group);
     app.add_flag("--bound-cut", job.bound_cut,
-                 "Tell how much light the limits of the recursion can have left out; --quality "
-                 "exact does, too")
+                 "Report how much light the limits of the recursion can have left out; --quality "
+                 "exact does this, too")
         ->group(group);
-    app.add_flag("--no-audit", job.error.no_audit,
-                 "With one of these: no rays beside those of the picture, and no interval")
+    app.add_flag(
+           "--no-audit", job.error.no_audit,
+           "With one of these: trace no rays to check the error, and report it without an interval")
         ->group(group);
 }
 

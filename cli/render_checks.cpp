@@ -12,7 +12,7 @@ void check_error_options(const RenderJob& job) {
     const ErrorOptions& error = job.error;
     if (!error.any()) {
         if (error.no_audit)
-            throw UsageError("--no-audit goes with --max-error, --max-off, --time or --passes");
+            throw UsageError("--no-audit needs --max-error, --max-off, --time or --passes");
         return;
     }
     const std::string option = error.max_error ? "--max-error"
@@ -22,14 +22,15 @@ void check_error_options(const RenderJob& job) {
     if (int(error.max_error.has_value()) + int(error.max_off.has_value()) +
             int(error.seconds.has_value()) + int(error.passes.has_value()) >
         1)
-        throw UsageError("one of --max-error, --max-off, --time and --passes, not two");
+        throw UsageError("give only one of --max-error, --max-off, --time and --passes");
     if (job.settings.samples)
-        throw UsageError(option + " chooses the samples: leave --samples out");
+        throw UsageError(option + " chooses the samples itself: remove --samples");
     if (job.settings.quality)
-        throw UsageError(option + " chooses samples and limits: leave --quality out");
-    if (job.bound_cut) throw UsageError("--bound-cut goes with --samples: audits know what is cut");
+        throw UsageError(option + " chooses samples and limits itself: remove --quality");
+    if (job.bound_cut)
+        throw UsageError("--bound-cut is only for --samples: an audit measures what is cut");
     if (job.settings.sampling == Sampling::grid)
-        throw UsageError(option + " samples at sobol points, not on a grid");
+        throw UsageError(option + " uses Sobol points: remove --sampling grid");
 }
 
 /// Parts of a picture, and what is there already.
@@ -37,21 +38,24 @@ void check_part_options(const RenderJob& job, const std::string& output) {
     if (job.resume) {
         if (job.error.seconds)
             throw UsageError(
-                "--resume cannot know what --time would draw: --passes can be repeated");
+                "--resume cannot know what --time would render: use --passes, which can be "
+                "repeated");
         const std::string ending = ending_of(output);
         if ((ending != ".png" && ending != ".exr") || io::is_stream(output))
             throw UsageError(
-                "--resume needs a .png or .exr file, which tells what it was made from");
+                "--resume needs a .png or .exr file, which records what it was made from");
     }
     if (!job.part) return;
     if (job.error.seconds)
-        throw UsageError("--part goes with no --time: each part would get passes of its own");
+        throw UsageError(
+            "--part cannot be used with --time: each part would make its own number of passes");
     if (job.frames) return;
-    if (job.bound_cut) throw UsageError("--bound-cut goes with a whole picture, not with --part");
+    if (job.bound_cut)
+        throw UsageError("--bound-cut is for a whole picture: it cannot be used with --part");
     if (job.error.passes)
-        throw UsageError("--part goes with no --passes: each looks at the whole picture");
+        throw UsageError("--part cannot be used with --passes: each pass needs the whole picture");
     if (job.image.bits != 8 || job.image.linear)
-        throw UsageError("a part holds the exact values: --bits and --linear go with join");
+        throw UsageError("a part contains exact values: give --bits and --linear to join");
     if (ending_of(output) != ".exr") throw UsageError("--part needs an .exr file: -o part-1.exr");
 }
 
@@ -59,8 +63,10 @@ void check_alpha(const RenderJob& job, const std::string& output) {
     if (!job.alpha) return;
     if (job.error.any())
         throw UsageError(
-            "--alpha goes with --samples, not with --max-error, --max-off, --time or --passes");
-    if (job.part && !job.frames) throw UsageError("a part of one picture has no alpha");
+            "--alpha is only for --samples: it cannot be used with --max-error, --max-off, --time "
+            "or --passes");
+    if (job.part && !job.frames)
+        throw UsageError("--alpha cannot be used with --part of a single picture");
     const std::string ending = ending_of(output);
     if (ending != ".png" && ending != ".tif" && ending != ".tiff" && ending != ".exr")
         throw UsageError(fmt::format("--alpha is for .png, .tif and .exr, not for '{}'", output));
@@ -69,7 +75,7 @@ void check_alpha(const RenderJob& job, const std::string& output) {
 }  // namespace
 
 void check(const RenderJob& job, const std::string& output) {
-    if (job.loop && !job.frames) throw UsageError("--loop goes with --frames");
+    if (job.loop && !job.frames) throw UsageError("--loop needs --frames");
     check_error_options(job);
     check_part_options(job, output);
     check_picture_name(output, job.image, job.aov);

@@ -101,7 +101,8 @@ class Rendering {
             if (statistics_.cut) session_.output.say(cut_line(*statistics_.cut) + "\n");
             if (late_)
                 session_.output.say(
-                    "the time was too short: the least that makes a picture took longer\n");
+                    "the time was too short: even the fewest rays that make a picture took "
+                    "longer\n");
         }
     }
 
@@ -124,7 +125,7 @@ class Rendering {
         const Found found = head ? found_part(output, *head) : found_picture(output, origin);
         if (found.reason.empty()) return found.is_kept;
         progress_.clear();
-        session_.terminal.line(fmt::format("{} is drawn again: {}", output, found.reason));
+        session_.terminal.line(fmt::format("{} is rendered again: {}", output, found.reason));
         return false;
     }
 

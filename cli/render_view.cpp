@@ -53,7 +53,7 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     const std::uint64_t needed = picture_bytes(width, height, channels);
     if (needed > available_memory()) {
         const std::string message =
-            fmt::format("a picture of {}x{} pixels needs {:.1f} GB of memory, which is not there",
+            fmt::format("a picture of {}x{} pixels needs {:.1f} GB of memory, more than there is",
                         width, height, static_cast<double>(needed) / 1e9);
         if (job.size || job.crop) throw UsageError(message);
         throw SceneError({}, message);

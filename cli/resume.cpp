@@ -28,7 +28,7 @@ Found found_picture(const std::string& path, const io::Origin& wanted) {
     if (!is_there(path)) return {};
     try {
         const std::optional<io::Origin> there = io::origin_of_picture(io::read_file(path));
-        if (!there) return {false, "it is damaged, or no run with --resume wrote it"};
+        if (!there) return {false, "it is damaged, or was not written by a run with --resume"};
         return judged(*there, wanted);
     } catch (const FileError& error) {
         return {false, error.what()};

@@ -35,7 +35,7 @@ std::string folder_of(const std::string& path) {
 }
 
 [[noreturn]] void refuse(const std::string& output, const std::string& input) {
-    throw UsageError(fmt::format("{} would be written over {}, which is read",
+    throw UsageError(fmt::format("{} would overwrite {}, which is an input",
                                  shown(output, "standard output"), shown(input, "standard input")));
 }
 

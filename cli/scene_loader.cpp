@@ -54,8 +54,7 @@ void add_limit(CLI::App& app, const std::string& name, std::uint64_t& target, st
            [&target, name, most](const std::string& text) {
                const std::int64_t value = parse_whole_number(text);
                if (value < 1 || value > most) {
-                   throw UsageError(
-                       fmt::format("--limit-{} must lie between 1 and {}", name, most));
+                   throw UsageError(fmt::format("--limit-{} must be between 1 and {}", name, most));
                }
                target = static_cast<std::uint64_t>(value);
            },
@@ -82,7 +81,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
                    options.definitions.emplace_back(name, value);
                }
            },
-           "Give a param of the script another value; may stand several times")
+           "Give a param of the script another value; can be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 
@@ -94,7 +93,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
     add_limit(app, "nesting", limits.nesting, deepest, "Levels of nesting in the text");
     add_limit(app, "source-bytes", limits.source_bytes, std::int64_t(1) << 32,
               "Bytes of all source files");
-    add_limit(app, "list-elements", limits.list_elements, most, "List elements ever made");
+    add_limit(app, "list-elements", limits.list_elements, most, "List elements created in total");
     add_limit(app, "objects", limits.objects, 4'000'000'000, "Objects of the scene");
     add_picture_options(app);
 }
@@ -199,7 +198,7 @@ std::vector<Diagnostic> missing_parts(const Scene& scene) {
              "camera front { position [0, 1, 5] look_at [0, 0, 0] }");
     }
     if (scene.lights.empty()) {
-        warn("the scene has no light: only ambient light and emission show",
+        warn("the scene has no light: only ambient light and emission are visible",
              "light point { position [4, 6, 3] }");
     }
     return found;

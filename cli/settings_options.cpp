@@ -44,13 +44,14 @@ void SettingsOptions::apply_to(Settings& settings) const {
 
 void add_settings_options(CLI::App& app, SettingsOptions& options) {
     const char* group = "Quality";
-    add_whole_number(app, "--threads", options.threads, 1, most_threads,
-                     "Threads; as many as the machine has by default. The picture is the same")
+    add_whole_number(
+        app, "--threads", options.threads, 1, most_threads,
+        "Number of threads; by default as many as the machine has. The picture is the same")
         ->type_name("N");
     add_choice(
         app, "--quality", names_of(all_qualities), "quality",
         [&options](std::size_t i) { options.quality = all_qualities[i]; },
-        "Samples, depth and contribution at once")
+        "Sets samples, depth and contribution together")
         ->group(group);
     add_whole_number(app, "--max-depth", options.max_depth, 1, deepest,
                      "Levels of recursion; 1: primary rays only")
@@ -58,7 +59,7 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
         ->group(group);
     add_number(app, "--min-contribution", options.min_contribution, 0,
                std::numeric_limits<double>::max(),
-               "A branch whose weight falls below it is not followed; 0: all are")
+               "Rays whose weight is below X are not followed; 0: all are followed")
         ->type_name("X")
         ->group(group);
     add_whole_number(app, "--samples", options.samples, 1, most_samples,
@@ -68,10 +69,11 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
     add_choice(
         app, "--sampling", {"grid", "sobol"}, "way of sampling",
         [&options](std::size_t i) { options.sampling = i == 0 ? Sampling::grid : Sampling::sobol; },
-        "Where those rays go: a regular grid (default), or sobol points, of which fewer do")
+        "Where these rays pass through the pixel: a regular grid (default), or Sobol points, of "
+        "which fewer are enough")
         ->group(group);
     add_whole_number(app, "--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max(),
-                     "Other sobol points; 0 by default")
+                     "Seed of the Sobol points; by default 0")
         ->type_name("N")
         ->group(group);
     add_number(app, "--tolerance", options.tolerance, std::numeric_limits<double>::denorm_min(),
@@ -82,7 +84,7 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
     add_choice(
         app, "--precision", names_of(all_precisions), "precision",
         [&options](std::size_t i) { options.precision = all_precisions[i]; },
-        "Number type of geometry and shading; double by default")
+        "Number type of geometry and shading; by default double")
         ->group(group);
     app.add_flag("--no-shadows", options.no_shadows, "Lights shine through everything")
         ->group(group);

@@ -34,13 +34,13 @@ void add_stability(CLI::App& app, Action& action) {
         ->required()
         ->type_name("");
     add_range_option(command, "--try", job->tries,
-                     "Only this: scale=A..B, twos=A..B, shift=B, distance=B, axes or extended; may "
-                     "stand several times");
+                     "Try only this change: scale=A..B, twos=A..B, shift=B, distance=B, axes or "
+                     "extended; can be repeated");
     add_range_option(command, "--require", job->demands,
-                     "Exit code 1 unless this holds, as in scale=1e-6..1e6; may stand several "
-                     "times");
-    command.add_flag("--every", job->every,
-                     "Look at every power in the range, not only as many as finding its end takes");
+                     "Exit code 1 unless this holds, as in scale=1e-6..1e6; can be repeated");
+    command.add_flag(
+        "--every", job->every,
+        "Try every power in the range, not only those that are needed to find its end");
     add_number(command, "--fail", job->fail, 0, 1,
                "A pixel is wrong when a channel is off by more than X (default 1/255)")
         ->type_name("X");
@@ -48,25 +48,26 @@ void add_stability(CLI::App& app, Action& action) {
                "A picture is wrong when more than P percent of its pixels are (default 0)")
         ->type_name("P");
     add_number(command, "--time", job->time, 0.1, 1e6,
-               "Begin no picture after S seconds; what is open then stays open")
+               "Start no new picture after S seconds; what is not known then stays open")
         ->type_name("S");
     command
         .add_option("--json", job->json,
-                    "Write everything, each picture too, as JSON; - to standard output")
+                    "Write everything, also of each picture, as JSON; - to standard output")
         ->type_name("FILE");
-    command.add_option("--plot", job->plot, "Draw wrong pixels against the change")
+    command.add_option("--plot", job->plot, "Plot the share of wrong pixels against the change")
         ->type_name("FILE.svg");
-    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+    command.add_option("--camera", job->camera, "Name of the camera; by default the first one")
         ->type_name("NAME");
     command
         .add_option_function<std::string>(
             "--size", [job](const std::string& text) { job->size = parse_size(text); },
-            "Size of the pictures; 160 pixels wide by default, in the scene's proportions")
+            "Size of the pictures; by default 160 pixels wide, in the scene's proportions")
         ->type_name("WxH");
     add_share_option(command, job->part, "change");
-    command.add_flag("--no-povray", job->no_povray, "Do not run POV-Ray, should it be there");
-    command.add_flag("--no-cache", job->no_cache, "Make every picture anew");
-    command.add_flag("-q,--quiet", job->quiet, "Nothing but the exit code");
+    command.add_flag("--no-povray", job->no_povray, "Do not run POV-Ray, even if it is installed");
+    command.add_flag("--no-cache", job->no_cache, "Render every picture again");
+    command.add_flag("-q,--quiet", job->quiet,
+                     "Print nothing: only the exit code tells the result");
     add_settings_options(command, job->settings);
     add_scene_options(command, job->scene_options);
     command.footer(

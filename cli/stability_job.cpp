@@ -72,11 +72,11 @@ void check_names(const StabilityJob& job) {
     if (!job.plot.empty() && job.scenes.size() > 1)
         throw UsageError("--plot shows one scene, not several");
     if (!job.plot.empty() && !job.plot.ends_with(".svg"))
-        throw UsageError(fmt::format("'{}': the name of a plot ends in .svg", job.plot));
+        throw UsageError(fmt::format("'{}': the name of a plot must end in .svg", job.plot));
     for (const ChangeRange& demand : job.demands) {
         if (!demand.high && base_of(demand.change) != 0)
             throw UsageError(fmt::format(
-                "--require {0}: say how far, as in {0}={1}", demand.text,
+                "--require {0} needs a range, as in {0}={1}", demand.text,
                 demand.change == Change::shift || demand.change == Change::distance ? "1e6"
                                                                                     : "1e-6..1e6"));
     }

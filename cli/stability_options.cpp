@@ -27,7 +27,8 @@ Change parse_change(const std::string& word) {
         if (word == name_of(change)) return change;
         names += (names.empty() ? "" : ", ") + std::string(name_of(change));
     }
-    throw UsageError(fmt::format("'{}' is no change of a scene: expected one of {}", word, names));
+    throw UsageError(
+        fmt::format("'{}' is not a change of a scene: expected one of {}", word, names));
 }
 
 /// The exponent of `base` that gives this number; a fraction where none does.
@@ -37,7 +38,7 @@ double exponent_of(const std::string& text, int base) {
         const double given_base = parse_number(text.substr(0, power));
         const double exponent = parse_number(text.substr(power + 1));
         if (given_base != 2 && given_base != 10)
-            throw UsageError(fmt::format("'{}': powers are of 2 or of 10", text));
+            throw UsageError(fmt::format("'{}': a power must have the base 2 or 10", text));
         return given_base == base ? exponent
                                   : exponent * std::log(given_base) / std::log(double(base));
     }
@@ -52,8 +53,8 @@ double exponent_of(const std::string& text, int base) {
 int bounded(double exponent, const ChangeRange& range) {
     const int limit = largest_exponent(range.change);
     if (!(std::abs(exponent) <= limit))
-        throw UsageError(
-            fmt::format("'{}': exponents end at {}^{}", range.text, base_of(range.change), limit));
+        throw UsageError(fmt::format("'{}': exponents of {} must be between {} and {}", range.text,
+                                     base_of(range.change), -limit, limit));
     return static_cast<int>(exponent);
 }
 
@@ -67,26 +68,26 @@ ChangeRange parse_change_range(const std::string& text) {
     if (equals == std::string::npos) return range;
     const int base = base_of(range.change);
     const std::string name = name_of(range.change);
-    if (base == 0) throw UsageError(fmt::format("'{}': {} has no range", text, name));
+    if (base == 0) throw UsageError(fmt::format("'{}': {} takes no range", text, name));
     const std::string ends = text.substr(equals + 1);
     const std::size_t dots = ends.find("..");
     const bool two_sided = range.change == Change::scale || range.change == Change::twos;
     if (dots == std::string::npos) {
         if (two_sided)
             throw UsageError(fmt::format(
-                "'{0}' is no range: expected {1}=A..B, as in {1}=1e-6..1e6", text, name));
+                "'{0}' is not a range: expected {1}=A..B, as in {1}=1e-6..1e6", text, name));
         range.high = bounded(std::ceil(exponent_of(ends, base)), range);
     } else {
         range.low = bounded(std::floor(exponent_of(ends.substr(0, dots), base)), range);
         range.high = bounded(std::ceil(exponent_of(ends.substr(dots + 2), base)), range);
         if (*range.low > *range.high)
-            throw UsageError(fmt::format("'{}': the first end is above the last", text));
+            throw UsageError(fmt::format("'{}': the first end is greater than the last", text));
     }
     if (two_sided && (*range.low > 0 || *range.high < 0))
-        throw UsageError(fmt::format("'{}': 1, the scene as it is, must lie in the range", text));
+        throw UsageError(fmt::format("'{}': the range must contain 1, the scene as it is", text));
     if (range.change == Change::distance && (*range.high < 0 || range.low.value_or(0) < 0))
         throw UsageError(
-            fmt::format("'{}': the camera can only be moved away, by 1 or more", text));
+            fmt::format("'{}': the camera can only be moved away, by a factor of 1 or more", text));
     return range;
 }
 

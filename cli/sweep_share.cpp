@@ -26,7 +26,8 @@ void check_writable(const std::string& cache) {
 void add_share_option(CLI::App& app, std::optional<PartOf>& part, const std::string& what) {
     app.add_option_function<std::string>(
            "--part", [&part](const std::string& text) { part = parse_part(text); },
-           "Every N-th " + what + " from the K-th on; the cache keeps what a run over all needs")
+           "Every N-th " + what +
+               " from the K-th on; the cache keeps the results for a run over all of them")
         ->type_name("K/N");
 }
 
@@ -34,9 +35,8 @@ void check_share(const std::optional<PartOf>& part, const std::string& report,
                  const std::string& cache) {
     if (!part) return;
     if (!report.empty())
-        throw UsageError(report + " tells of all scenes: the last run, without --part, writes it");
-    if (cache.empty())
-        throw UsageError("--part keeps its results in the cache: leave --no-cache out");
+        throw UsageError(report + " is about all scenes: write it by a last run without --part");
+    if (cache.empty()) throw UsageError("--part keeps its results in the cache: remove --no-cache");
     check_writable(cache);
 }
 

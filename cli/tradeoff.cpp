@@ -144,7 +144,7 @@ void will_report(const TradeOffJob& job, Session& session) {
         if (!std::filesystem::exists(path, ignored)) continue;
         if (io::read_file(path).find(judge::tradeoff_mark) == std::string::npos)
             throw UsageError(fmt::format(
-                "--report: '{}' is there, and no earlier report: it would be lost", path));
+                "--report: '{}' exists and is not an earlier report: it would be lost", path));
     }
 }
 
@@ -165,23 +165,25 @@ ExitCode tradeoff(const TradeOffJob& job, Session& session) {
 }
 
 void add_view_options(CLI::App& command, const std::shared_ptr<TradeOffJob>& job) {
-    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+    command.add_option("--camera", job->camera, "Name of the camera; by default the first one")
         ->type_name("NAME");
     command
         .add_option_function<std::string>(
             "--size", [job = job.get()](const std::string& text) { job->size = parse_size(text); },
-            "Size of the pictures; 160 pixels wide by default, in the scene's proportions")
+            "Size of the pictures; by default 160 pixels wide, in the scene's proportions")
         ->type_name("WxH");
     command
         .add_option_function<std::string>(
             "--crop", [job = job.get()](const std::string& text) { job->crop = parse_crop(text); },
-            "Only this part of the picture, in pixels from its top left corner")
+            "Render only this part of the picture, in pixels from its top left corner")
         ->type_name("X,Y,W,H");
-    add_whole_number(command, "--threads", job->settings.threads, 1, 1024,
-                     "Threads; as many as the machine has by default. Times count all of them")
+    add_whole_number(
+        command, "--threads", job->settings.threads, 1, 1024,
+        "Number of threads; by default as many as the machine has. Times are sums over all of them")
         ->type_name("N");
     add_whole_number(command, "--seed", job->settings.seed, 0,
-                     std::numeric_limits<std::int64_t>::max(), "Other sobol points; 0 by default")
+                     std::numeric_limits<std::int64_t>::max(),
+                     "Seed of the Sobol points; by default 0")
         ->type_name("N");
 }
 
@@ -189,7 +191,7 @@ void add_view_options(CLI::App& command, const std::shared_ptr<TradeOffJob>& job
 
 void add_tradeoff(CLI::App& app, Action& action) {
     CLI::App& command = *app.add_subcommand(
-        "tradeoff", "Turn each knob of quality, and measure what it costs and what it brings");
+        "tradeoff", "Vary each setting of quality, and measure what it costs and what it gains");
     const auto job = std::make_shared<TradeOffJob>();
     command.add_option("SCENE", job->scenes, "Scene files; - reads standard input")
         ->required()
@@ -201,12 +203,12 @@ void add_tradeoff(CLI::App& app, Action& action) {
                     "Write DIR/index.html with interactive plots, and these as SVG")
         ->type_name("DIR");
     add_number(command, "--budget", job->budget, 0.1, 1e7,
-               "End within S seconds; what is left out is named")
+               "Finish within S seconds; what is left out is listed")
         ->type_name("S");
     add_share_option(command, job->part);
     add_view_options(command, job);
-    command.add_flag("--no-cache", job->no_cache, "Make the truth anew, and do not keep it");
-    command.add_flag("-q,--quiet", job->quiet, "No table");
+    command.add_flag("--no-cache", job->no_cache, "Compute the truth again, and do not keep it");
+    command.add_flag("-q,--quiet", job->quiet, "Print no table");
     add_scene_options(command, job->scene_options);
     command.footer(
         "Examples:"

@@ -93,9 +93,10 @@ void check_against(const ValidateJob& job) {
     if (job.against.asked()) {
         if (job.no_cache || job.time_limit || job.part)
             throw UsageError(
-                "--no-cache, --time-limit and --part are for POV-Ray, which --against leaves out");
+                "--no-cache, --time-limit and --part are for POV-Ray, which --against does not "
+                "run");
     } else if (job.against.reading_is_given) {
-        throw UsageError("--encoding, --exposure and --pixel-center are for --against PICTURE");
+        throw UsageError("--encoding, --exposure and --pixel-center need --against PICTURE");
     }
 }
 
@@ -138,18 +139,16 @@ ExitCode validate(const ValidateJob& job, Session& session) {
 }  // namespace
 
 void add_validate(CLI::App& app, Action& action) {
-    CLI::App& command = *app.add_subcommand(
-        "validate",
-        "Render scenes, have POV-Ray render them too (or take a picture that is there), and judge "
-        "the differences");
+    CLI::App& command = *app.add_subcommand("validate",
+                                            "Render scenes with Lancer and with POV-Ray (or take "
+                                            "an existing picture), and judge the differences");
     const auto job = std::make_shared<ValidateJob>();
     command
         .add_option("SCENE", job->scenes,
-                    "Scene files; NAME.expect beside one holds its thresholds")
+                    "Scene files; NAME.expect in the same folder contains a scene's thresholds")
         ->required()
         ->type_name("");
-    command.add_option("--report", job->report, "Write DIR/index.html, to look at")
-        ->type_name("DIR");
+    command.add_option("--report", job->report, "Write the page DIR/index.html")->type_name("DIR");
     command.add_option("--json", job->json, "Write the results as JSON; - to standard output")
         ->type_name("FILE");
     command
@@ -157,22 +156,22 @@ void add_validate(CLI::App& app, Action& action) {
                     "Write the results as JUnit XML, for build servers; - to standard output")
         ->type_name("FILE");
     add_share_option(command, job->part);
-    command.add_option("--camera", job->camera, "Name of the camera; the first by default")
+    command.add_option("--camera", job->camera, "Name of the camera; by default the first one")
         ->type_name("NAME");
     command
         .add_option_function<std::string>(
             "--size", [job](const std::string& text) { job->size = parse_size(text); },
-            "Size of the pictures; 320 pixels wide by default, in the scene's proportions; with "
-            "--against what the picture has")
+            "Size of the pictures; by default 320 pixels wide, in the scene's proportions; with "
+            "--against the size of the picture")
         ->type_name("WxH");
     add_whole_number(command, "--jobs", job->jobs, 1, 1024,
-                     "Scenes at once; twice as many as there are cores by default")
+                     "Number of scenes at once; by default twice the number of cores")
         ->type_name("N");
     add_number(command, "--time-limit", job->time_limit, 1, 1e6,
-               "Seconds after which POV-Ray is stopped (default 120)")
+               "POV-Ray is stopped after S seconds (default 120)")
         ->type_name("S");
-    command.add_flag("--no-cache", job->no_cache, "Have POV-Ray make every picture anew");
-    command.add_flag("-q,--quiet", job->quiet, "No table");
+    command.add_flag("--no-cache", job->no_cache, "Let POV-Ray render every picture again");
+    command.add_flag("-q,--quiet", job->quiet, "Print no table");
     add_against_options(command, job->against);
     add_scene_options(command, job->scene_options);
     command.footer(

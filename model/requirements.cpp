@@ -21,15 +21,15 @@ constexpr std::array<Words, feature_count> words{{
     {"textures", "texture coordinates at each hit"},
     {"image textures", "images decoded and looked up"},
     {"shadows", "a ray to each light from each hit"},
-    {"filtered shadows", "shadows of things that let light through"},
+    {"filtered shadows", "shadows of objects that let light through"},
     {"reflection", "mirror rays"},
     {"fresnel", "reflection weighted by Fresnel's equations"},
-    {"transmission", "rays that go on behind a surface"},
+    {"transmission", "rays that continue behind a surface"},
     {"media", "a list of the bodies that each ray is inside of"},
     {"smooth media", "a second list, for meshes whose normals are interpolated"},
     {"refraction", "rays that bend"},
     {"absorption", "light that fades inside a body"},
-    {"light from behind", "lights behind a surface that shine through it"},
+    {"light from behind", "lights that shine through a surface from behind"},
 }};
 
 class Collector {

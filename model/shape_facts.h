@@ -35,14 +35,14 @@ ShapeFacts facts_of(const Scene& scene, const Shape& shape);
 
 namespace shape_facts {
 
-inline constexpr std::string_view capped = "'capped true' closes it";
+inline constexpr std::string_view capped = "use 'capped true' to close it";
 
 inline Sheet open_mesh_sheet(Inside inside) {
-    if (inside == Inside::never) return {"a mesh with 'body false'", "leave 'body false' out"};
+    if (inside == Inside::never) return {"a mesh with 'body false'", "remove 'body false'"};
     return {"a mesh that is not closed",
-            "close it: each edge belongs to two faces, and vertices that ought to be one are at "
-            "exactly the same place; or write 'body true' in it: rays that meet a gap then go "
-            "wrong"};
+            "close it: each edge must belong to two faces, and vertices that belong together must "
+            "be at exactly the same place; or write 'body true' in it, but rays that meet a gap "
+            "then go wrong"};
 }
 
 inline std::optional<bool> inside_by_word(Inside inside) {
@@ -90,12 +90,13 @@ struct FactsOf {
     }
     ShapeFacts operator()(const LatheRef& ref) const {
         const Lathe& lathe = scene.lathes[ref.lathe];
-        return {.name = "lathe",
-                .inside = encloses_space(profile_curve(lathe.spline, lathe.profile)),
-                .sheet = {"a lathe with an open profile",
-                          "a profile that begins and ends on the axis, or ends where it began, has "
-                          "an inside"},
-                .spline = true};
+        return {
+            .name = "lathe",
+            .inside = encloses_space(profile_curve(lathe.spline, lathe.profile)),
+            .sheet =
+                {"a lathe with an open profile",
+                 "close it: the profile must start and end on the axis, or end where it starts"},
+            .spline = true};
     }
     ShapeFacts operator()(const PrismRef& ref) const {
         return {.name = "prism",

@@ -18,11 +18,12 @@ std::string place_of(const Vec3d& p) {
     return fmt::format("[{}, {}, {}]", to_text(p.x), to_text(p.y), to_text(p.z));
 }
 
-/// "1 of its edges has one face only", "12 of its edges do not have two faces".
+/// "1 of its edges belongs to only one face", "12 of its edges do not belong to exactly two faces".
 std::string count_of(const OpenEdges& open) {
-    if (open.count != 1) return fmt::format("{} of its edges do not have two faces", open.count);
-    return open.faces == 1 ? "1 of its edges has one face only"
-                           : fmt::format("1 of its edges has {} faces", open.faces);
+    if (open.count != 1)
+        return fmt::format("{} of its edges do not belong to exactly two faces", open.count);
+    return open.faces == 1 ? "1 of its edges belongs to only one face"
+                           : fmt::format("1 of its edges belongs to {} faces", open.faces);
 }
 
 /// A mesh that is one material's share of a file's.
@@ -53,15 +54,15 @@ class MeshAdvice {
         found.push_back(
             {Severity::warning,
              object.place,
-             fmt::format("light passes through {}, but it is not closed: {}, the first from "
-                         "{} to {}; so it has no inside, and its {} does nothing",
+             fmt::format("light passes through {}, but this surface is not closed: {}, the first "
+                         "from {} to {}; it has no inside, so its {} has no effect",
                          is_piece ? piece_of(scene_, object) : "this mesh", count_of(open),
                          place_of(open.begin), place_of(open.end), bends ? "ior" : "absorption"),
-             is_piece
-                 ? "a mesh with several materials is one object for each of them: give glass a "
-                   "file of its own, or the mesh one 'material'"
-                 : "close the gap: vertices that ought to be one must be at exactly the same "
-                   "place; or write 'body true' in it: rays that meet the gap then go wrong",
+             is_piece ? "a mesh with several materials becomes one object for each of them: put "
+                        "the glass into a file of its own, or give the mesh one 'material'"
+                      : "close the gap: vertices that belong together must be at exactly the same "
+                        "place; or write 'body true' in the mesh, but rays that meet the gap then "
+                        "go wrong",
              {}});
     }
 
@@ -78,15 +79,14 @@ void add_empty_body(const Scene& scene, const Object& object, std::vector<Diagno
     if (why == Emptiness::not_known) return;
     const std::string name =
         object.name == none ? "" : fmt::format(" '{}'", scene.names[object.name]);
-    found.push_back(
-        {Severity::warning,
-         object.place,
-         fmt::format("nothing is left of this body{}", name),
-         why == Emptiness::apart
-             ? "parts of an intersection have no room in common"
-             : "what is cut away holds all that it is cut from; a difference is its first part "
-               "without all others",
-         {}});
+    found.push_back({Severity::warning,
+                     object.place,
+                     fmt::format("nothing is left of this body{}", name),
+                     why == Emptiness::apart
+                         ? "parts of the intersection have no space in common"
+                         : "the parts that are cut away contain the whole first part; a difference "
+                           "is its first part minus all others",
+                     {}});
 }
 
 }  // namespace

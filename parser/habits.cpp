@@ -14,83 +14,93 @@ namespace {
 using Entry = std::pair<std::string_view, std::string_view>;
 
 constexpr std::string_view cut =
-    "difference { ... } is the first body in it without all others, intersection { ... } what all "
-    "hold";
+    "use difference { ... } for its first body minus all others, intersection { ... } for what all "
+    "its bodies have in common";
 constexpr std::string_view no_directive = "statements are written without '#'";
-constexpr std::string_view put_together = "shapes are put together by group { ... }";
-constexpr std::string_view in_material = "what a surface looks like stands in material { ... }";
+constexpr std::string_view put_together = "use group { ... } to put shapes together";
+constexpr std::string_view in_material = "use material { ... } to describe a surface";
 constexpr std::string_view loops =
-    "what is repeated stands in 'for i in 0..10 { ... }' or 'for x in list { ... }'";
-constexpr std::string_view templates = "statements with parameters are 'def name(a, b) { ... }'";
-constexpr std::string_view values = "a value gets its name by 'let name = ...'";
+    "use 'for i in 0..10 { ... }' or 'for x in list { ... }' for a loop";
+constexpr std::string_view templates =
+    "use 'def name(a, b) { ... }' for statements with parameters";
+constexpr std::string_view values = "use 'let name = ...' to give a value a name";
 
 constexpr Entry words[] = {
     // Shapes
-    {"major", "a torus has a 'radius', of its ring, and a 'tube'"},
-    {"minor", "a torus has a 'radius', of its ring, and a 'tube'"},
-    {"major_radius", "a torus has a 'radius', of its ring, and a 'tube'"},
-    {"minor_radius", "a torus has a 'radius', of its ring, and a 'tube'"},
-    {"cube", "a box has two corners: box { min [-1, -1, -1] max [1, 1, 1] }"},
-    {"cuboid", "a box has two corners: box { min [-1, -1, -1] max [1, 1, 1] }"},
-    {"ball", "a ball is a sphere { radius 1 }"},
-    {"disc", "a disc is a flat cylinder, or a prism with a round outline"},
-    {"disk", "a disc is a flat cylinder, or a prism with a round outline"},
-    {"quad", "a quad is a mesh { vertices [...] faces [[0, 1, 2, 3]] }"},
-    {"polygon", "a polygon is a mesh { vertices [...] faces [[0, 1, 2, ...]] }"},
-    {"polyhedron", "a polyhedron is a mesh { vertices [...] faces [[0, 1, 2], ...] }"},
-    {"mesh2", "a mesh is written mesh { vertices [...] faces [...] }"},
-    {"smooth_triangle", "a triangle takes 'normals'"},
-    {"bicubic_patch", "a bicubic patch is a patch { control [...] }"},
-    {"linear_extrude", "an outline drawn up is a prism { outline [...] bottom 0 top 1 }"},
-    {"rotate_extrude", "an outline that is turned is a lathe { profile [...] }"},
-    {"sor", "a surface of revolution is a lathe { profile [...] spline catmull_rom }"},
+    {"major", "a torus takes 'radius', the radius of its ring, and 'tube', the radius of its tube"},
+    {"minor", "a torus takes 'radius', the radius of its ring, and 'tube', the radius of its tube"},
+    {"major_radius",
+     "a torus takes 'radius', the radius of its ring, and 'tube', the radius of its tube"},
+    {"minor_radius",
+     "a torus takes 'radius', the radius of its ring, and 'tube', the radius of its tube"},
+    {"cube", "use a box, given by two corners: box { min [-1, -1, -1] max [1, 1, 1] }"},
+    {"cuboid", "use a box, given by two corners: box { min [-1, -1, -1] max [1, 1, 1] }"},
+    {"ball", "use a sphere: sphere { radius 1 }"},
+    {"disc", "use a flat cylinder, or a prism with a round outline"},
+    {"disk", "use a flat cylinder, or a prism with a round outline"},
+    {"quad", "use a mesh: mesh { vertices [...] faces [[0, 1, 2, 3]] }"},
+    {"polygon", "use a mesh: mesh { vertices [...] faces [[0, 1, 2, ...]] }"},
+    {"polyhedron", "use a mesh: mesh { vertices [...] faces [[0, 1, 2], ...] }"},
+    {"mesh2", "use a mesh: mesh { vertices [...] faces [...] }"},
+    {"smooth_triangle", "use a triangle with 'normals'"},
+    {"bicubic_patch", "use a patch: patch { control [...] }"},
+    {"linear_extrude", "use a prism to extrude an outline: prism { outline [...] bottom 0 top 1 }"},
+    {"rotate_extrude", "use a lathe to turn a curve round the y axis: lathe { profile [...] }"},
+    {"sor", "use a lathe for a surface of revolution: lathe { profile [...] spline catmull_rom }"},
     {"subtract", cut},
-    {"merge", "several bodies are made one by union { ... }"},
+    {"merge", "use union { ... } to make one body of several"},
     {"object", put_together},
-    {"translation", "'translate [x, y, z]' moves"},
-    {"rotation", "rotate_x, rotate_y, rotate_z take degrees; 'rotate [axis, angle]' any axis"},
-    {"instance", "a template is made once and called often: def leaf(at) { ... } leaf([0, 1, 0])"},
-    {"module", "statements with parameters are 'def name(a, b) { ... }', called 'name(1, 2)'"},
+    {"translation", "use 'translate [x, y, z]' to move an object"},
+    {"rotation",
+     "use rotate_x, rotate_y or rotate_z with degrees, or 'rotate [axis, angle]' for any axis"},
+    {"instance", "define a template once and call it often: def leaf(at) { ... } leaf([0, 1, 0])"},
+    {"module",
+     "use 'def name(a, b) { ... }' for statements with parameters, and 'name(1, 2)' to call them"},
     // The scene
-    {"light_source", "lights are light point, light directional and light spot { ... }"},
-    {"area_light", "lights are light point, light directional and light spot { ... }"},
-    {"sun", "a sun is light directional { direction [-1, -2, -1] }"},
-    {"global_settings", "such settings stand in render { max_depth 8 }, and 'ambient' in the file"},
-    {"ambient_light", "the ambient light is the file's property 'ambient [1, 1, 1]'"},
-    {"sky_sphere",
-     "what stands behind everything is 'background', or sky { gradient [0, 1, 0] ... }"},
-    {"location", "a camera stands at its 'position'"},
-    {"eye", "a camera stands at its 'position'"},
-    {"target", "a camera looks at its 'look_at'"},
-    {"lookat", "a camera looks at its 'look_at'"},
-    {"sky", "what is up in a camera's picture is 'up [0, 1, 0]'"},
-    {"angle", "a camera's angle is 'fov', vertical and in degrees"},
-    {"resolution", "the size of the picture is image { width 640 height 480 }"},
-    {"intensity", "a light's brightness is in its colour: color [2, 2, 2]"},
-    {"brightness", "a light's brightness is in its colour: color [2, 2, 2]"},
-    {"energy", "a light's brightness is in its colour: color [2, 2, 2]"},
+    {"light_source", "use light point, light directional or light spot { ... }"},
+    {"area_light", "use light point, light directional or light spot { ... }"},
+    {"sun", "use a directional light for a sun: light directional { direction [-1, -2, -1] }"},
+    {"global_settings", "use render { max_depth 8 } for such settings, and 'ambient' in the file"},
+    {"ambient_light", "use 'ambient [1, 1, 1]' in the file for the ambient light"},
+    {"sky_sphere", "use 'background' or sky { gradient [0, 1, 0] ... } for rays that hit nothing"},
+    {"location", "use 'position' for the place of the camera"},
+    {"eye", "use 'position' for the place of the camera"},
+    {"target", "use 'look_at' for the point that the camera looks at"},
+    {"lookat", "use 'look_at' for the point that the camera looks at"},
+    {"sky", "use 'up [0, 1, 0]' for the upward direction in the camera's picture"},
+    {"angle", "use 'fov' for the camera's vertical angle of view, in degrees"},
+    {"resolution", "use image { width 640 height 480 } for the size of the picture"},
+    {"intensity", "use 'color' for the brightness of a light, too: color [2, 2, 2]"},
+    {"brightness", "use 'color' for the brightness of a light, too: color [2, 2, 2]"},
+    {"energy", "use 'color' for the brightness of a light, too: color [2, 2, 2]"},
     // Materials
-    {"pigment", "a colour stands in material { color [1, 0, 0] }"},
+    {"pigment", "use material { color [1, 0, 0] } for a colour"},
     {"finish", in_material},
-    {"interior", "ior and absorption stand in material { ... }"},
+    {"interior", "use material { ... } for 'ior' and 'absorption'"},
     {"appearance", in_material},
     {"shader", in_material},
-    {"pattern", "a pattern is a texture NAME { ... }, which a material takes as its color"},
+    {"pattern", "use texture NAME { ... } for a pattern, and NAME as the 'color' of a material"},
     {"image_map",
-     "an image is a texture NAME { image \"file.png\" }, which a material takes as color"},
-    {"specular", "highlights are 'phong' with 'shininess', or 'blinn' with 'roughness'"},
-    {"specularity", "highlights are 'phong' with 'shininess', or 'blinn' with 'roughness'"},
-    {"glossiness", "highlights are 'phong' with 'shininess', or 'blinn' with 'roughness'"},
-    {"phong_size", "the exponent of phong is 'shininess'"},
-    {"mirror", "an ideal mirror is 'reflection 1'"},
-    {"transparency", "what passes is 'transmission', or 'filter' for what the colour tints"},
-    {"transparent", "what passes is 'transmission', or 'filter' for what the colour tints"},
-    {"transmit", "what passes is 'transmission', or 'filter' for what the colour tints"},
-    {"opacity", "opacity is 1 - transmission"},
-    {"alpha", "opacity is 1 - transmission"},
-    {"albedo", "the surface's colour is 'color'"},
-    {"emissive", "a surface's own light is 'emission'"},
-    {"refraction", "the index of refraction is 'ior'"},
+     "use texture NAME { image \"file.png\" } for an image, and NAME as the 'color' of a material"},
+    {"specular", "use 'phong' with 'shininess', or 'blinn' with 'roughness', for highlights"},
+    {"specularity", "use 'phong' with 'shininess', or 'blinn' with 'roughness', for highlights"},
+    {"glossiness", "use 'phong' with 'shininess', or 'blinn' with 'roughness', for highlights"},
+    {"phong_size", "use 'shininess' for the exponent of 'phong'"},
+    {"mirror", "use 'reflection 1' for an ideal mirror"},
+    {"transparency",
+     "use 'transmission' for the share of light that passes, 'filter' for the share that the "
+     "colour tints"},
+    {"transparent",
+     "use 'transmission' for the share of light that passes, 'filter' for the share that the "
+     "colour tints"},
+    {"transmit",
+     "use 'transmission' for the share of light that passes, 'filter' for the share that the "
+     "colour tints"},
+    {"opacity", "use 'transmission', which is 1 - opacity"},
+    {"alpha", "use 'transmission', which is 1 - opacity"},
+    {"albedo", "use 'color' for the colour of the surface"},
+    {"emissive", "use 'emission' for light from the surface itself"},
+    {"refraction", "use 'ior' for the index of refraction"},
     // Statements
     {"while", loops},
     {"until", loops},
@@ -100,12 +110,14 @@ constexpr Entry words[] = {
     {"elif", "write 'else if'"},
     {"elsif", "write 'else if'"},
     {"elseif", "write 'else if'"},
-    {"switch", "choices are 'if a == 1 { ... } else if a == 2 { ... }'"},
+    {"switch", "use 'if a == 1 { ... } else if a == 2 { ... }'"},
     {"function", callables},
     {"fn", callables},
     {"macro", templates},
-    {"return", "a function is one expression: 'func name(a, b) = ...'; a template has no value"},
-    {"import", "another file is read by 'include \"file.lancer\"'"},
+    {"return",
+     "a function is one expression, without 'return': 'func name(a, b) = ...'; a template has no "
+     "value"},
+    {"import", "use 'include \"file.lancer\"' to read another file"},
     {"var", values},
     {"const", values},
     {"local", values},
@@ -113,8 +125,8 @@ constexpr Entry words[] = {
     {"set", values},
     {"float", values},
     {"double", values},
-    {"echo", "'print' writes values"},
-    {"printf", "'print' writes values"},
+    {"echo", "use 'print' to write values"},
+    {"printf", "use 'print' to write values"},
     // Operators and values
     {"and", "write '&&'"},
     {"or", "write '||'"},
@@ -127,27 +139,32 @@ constexpr Entry words[] = {
     {"off", "write 'false'"},
     // Functions
     {"rgb", "a colour is written [1, 0, 0]; srgb(r, g, b) takes sRGB from 0 to 1"},
-    {"rgba", "a colour is written [1, 0, 0]; what passes is 'transmission'"},
-    {"rgbf", "a colour is written [1, 0, 0]; what passes tinted is 'filter'"},
-    {"rgbt", "a colour is written [1, 0, 0]; what passes is 'transmission'"},
-    {"rgbft", "a colour is written [1, 0, 0]; what passes is 'filter' and 'transmission'"},
+    {"rgba",
+     "a colour is written [1, 0, 0]; use 'transmission' for the share of light that passes"},
+    {"rgbf",
+     "a colour is written [1, 0, 0]; use 'filter' for the share of light that passes tinted"},
+    {"rgbt",
+     "a colour is written [1, 0, 0]; use 'transmission' for the share of light that passes"},
+    {"rgbft",
+     "a colour is written [1, 0, 0]; use 'filter' and 'transmission' for the shares of light that "
+     "pass"},
     {"hsv", "a colour is written [1, 0, 0] or #ff0000"},
     {"vector", "a vector is written [x, y, z]"},
     {"vec2", "a vector is written [x, y]"},
     {"vec3", "a vector is written [x, y, z]"},
     {"float3", "a vector is written [x, y, z]"},
-    {"random", "a random number is rand(i), the same for the same i"},
-    {"rnd", "a random number is rand(i), the same for the same i"},
-    {"lerp", "a mixture is mix(a, b, t)"},
-    {"ln", "the natural logarithm is log(x)"},
-    {"log10", "a logarithm to 10 is log(x) / log(10)"},
-    {"mod", "the remainder is a % b"},
-    {"norm", "the length of a vector is length(v)"},
-    {"vlength", "the length of a vector is length(v)"},
-    {"vnormalize", "normalize(v)"},
-    {"vdot", "dot(a, b)"},
-    {"vcross", "cross(a, b)"},
-    {"int", "floor(x), ceil(x) and round(x) give whole numbers"},
+    {"random", "use rand(i) for a random number; it is the same for the same i"},
+    {"rnd", "use rand(i) for a random number; it is the same for the same i"},
+    {"lerp", "use mix(a, b, t) to interpolate"},
+    {"ln", "use log(x) for the natural logarithm"},
+    {"log10", "use log(x) / log(10) for the logarithm to base 10"},
+    {"mod", "use a % b for the remainder"},
+    {"norm", "use length(v) for the length of a vector"},
+    {"vlength", "use length(v) for the length of a vector"},
+    {"vnormalize", "use normalize(v)"},
+    {"vdot", "use dot(a, b)"},
+    {"vcross", "use cross(a, b)"},
+    {"int", "use floor(x), ceil(x) or round(x) to get a whole number"},
     {"PI", "write 'pi'"},
     {"Pi", "write 'pi'"},
     {"TAU", "write 'tau'"},
@@ -155,42 +172,42 @@ constexpr Entry words[] = {
 
 constexpr Entry directives[] = {
     {"include", "write 'include \"file.lancer\"', without '#'"},
-    {"declare", "a value gets its name by 'let name = ...'"},
-    {"local", "a value gets its name by 'let name = ...'"},
-    {"define", "a value gets its name by 'let name = ...'"},
+    {"declare", "use 'let name = ...' to give a value a name"},
+    {"local", "use 'let name = ...' to give a value a name"},
+    {"define", "use 'let name = ...' to give a value a name"},
     {"macro", templates},
     {"while", loops},
     {"for", loops},
-    {"if", "choices are 'if a > 1 { ... } else { ... }'"},
-    {"else", "choices are 'if a > 1 { ... } else { ... }'"},
-    {"end", "what an '#end' closes stands in braces: { ... }"},
+    {"if", "use 'if a > 1 { ... } else { ... }'"},
+    {"else", "use 'if a > 1 { ... } else { ... }'"},
+    {"end", "use braces instead of '#end': { ... }"},
     {"version", no_directive},
     {"default", no_directive},
-    {"debug", "'print' writes values"},
-    {"warning", "'print' writes values"},
-    {"error", "'assert condition, \"message\"' makes an error"},
+    {"debug", "use 'print' to write values"},
+    {"warning", "use 'print' to write values"},
+    {"error", "use 'assert condition, \"message\"' to report an error"},
 };
 
 /// Characters by how they begin.
 constexpr Entry characters[] = {
-    {"\xE2\x80\x98", "a string stands between straight double quotes: \"text\""},
-    {"\xE2\x80\x99", "a string stands between straight double quotes: \"text\""},
-    {"\xE2\x80\x9A", "a string stands between straight double quotes: \"text\""},
-    {"\xE2\x80\x9C", "a string stands between straight double quotes: \"text\""},
-    {"\xE2\x80\x9D", "a string stands between straight double quotes: \"text\""},
-    {"\xE2\x80\x9E", "a string stands between straight double quotes: \"text\""},
-    {"\xC2\xAB", "a string stands between straight double quotes: \"text\""},
-    {"\xE2\x80\x93", "the minus sign of the language is '-', the one on the keyboard"},
-    {"\xE2\x80\x94", "the minus sign of the language is '-', the one on the keyboard"},
-    {"\xE2\x88\x92", "the minus sign of the language is '-', the one on the keyboard"},
-    {"\xC3\x97", "multiplication is written '*'"},
-    {"\xC2\xB7", "multiplication is written '*'"},
+    {"\xE2\x80\x98", "use straight double quotes around a string: \"text\""},
+    {"\xE2\x80\x99", "use straight double quotes around a string: \"text\""},
+    {"\xE2\x80\x9A", "use straight double quotes around a string: \"text\""},
+    {"\xE2\x80\x9C", "use straight double quotes around a string: \"text\""},
+    {"\xE2\x80\x9D", "use straight double quotes around a string: \"text\""},
+    {"\xE2\x80\x9E", "use straight double quotes around a string: \"text\""},
+    {"\xC2\xAB", "use straight double quotes around a string: \"text\""},
+    {"\xE2\x80\x93", "use '-', the minus sign on the keyboard"},
+    {"\xE2\x80\x94", "use '-', the minus sign on the keyboard"},
+    {"\xE2\x88\x92", "use '-', the minus sign on the keyboard"},
+    {"\xC3\x97", "use '*' to multiply"},
+    {"\xC2\xB7", "use '*' to multiply"},
     {"\xC2\xB0", "angles have no unit: properties take degrees, functions take radians"},
     {"\xCF\x80", "write 'pi'"},
-    {"\xC2\xB2", "a square is written x ^ 2"},
-    {"\xC2\xA0", "this is a no-break space: white space is blanks, tabs and ends of lines"},
-    {"\xE2\x80\x8B", "this is a zero-width space: white space is blanks, tabs and ends of lines"},
-    {"\xEF\xBB\xBF", "this is a byte order mark: it may stand at the start of a file only"},
+    {"\xC2\xB2", "use x ^ 2 for a square"},
+    {"\xC2\xA0", "this is a no-break space: use an ordinary space"},
+    {"\xE2\x80\x8B", "this is a zero-width space, which is not visible: remove it"},
+    {"\xEF\xBB\xBF", "this is a byte order mark: it is allowed only at the start of a file"},
 };
 
 std::string_view find(std::span<const Entry> entries, std::string_view word) {
@@ -242,8 +259,9 @@ bool announces_color(std::string_view word) {
 
 std::string color_called(std::string_view name) {
     const CssColor* color = css_color(lower(name));
-    return color == nullptr ? ""
-                            : "a colour has its name in css(\"" + std::string(color->name) + "\")";
+    return color == nullptr
+               ? ""
+               : "use css(\"" + std::string(color->name) + "\") for a colour by its name";
 }
 
 bool is_unit(std::string_view word) {
@@ -253,7 +271,7 @@ bool is_unit(std::string_view word) {
 std::string_view about_unit(std::string_view unit) {
     return is_one_of(angle_units, unit)
                ? "angles have no unit: properties take degrees, functions take radians"
-               : "numbers have no unit: the scene's lengths are in whatever unit you think of";
+               : "numbers have no unit: choose one unit of length for the whole scene";
 }
 
 std::string_view instead_of_directive(std::string_view word) {
@@ -266,7 +284,7 @@ std::string_view about_character(std::string_view text) {
     const bool letter =
         !text.empty() && (text[0] == '\xC3' || text[0] == '\xC4' || text[0] == '\xC5' ||
                           text[0] == '\xCE' || text[0] == '\xCF' || text[0] == '\xD0');
-    return letter ? "a name is made of a to z, A to Z, 0 to 9 and _" : "";
+    return letter ? "a name can contain only a to z, A to Z, 0 to 9 and _" : "";
 }
 
 std::string vector_hint(std::string_view inside, std::string_view what,

@@ -12,8 +12,7 @@ std::string_view instead_of(std::string_view word);
 
 /// What has parameters here: where one kind is written as the other.
 inline constexpr std::string_view callables =
-    "what has a value is 'func name(a, b) = ...', statements with parameters are "
-    "'def name(a, b) { ... }'";
+    "use 'func name(a, b) = ...' for a value, 'def name(a, b) { ... }' for statements";
 
 /// How a list is computed here.
 inline constexpr std::string_view computed = "[for i in 0..10 if i % 2 == 0: i * i]";

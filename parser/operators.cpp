@@ -207,7 +207,8 @@ Value apply_binary(Op op, const Value& a, const Value& b, const Site& site) {
     Diagnostic* error = site.report.error(Message::operator_operands, site.place, symbol_of(op),
                                           kind_name(a), kind_name(b));
     const bool text = a.is(Value::Kind::text) || b.is(Value::Kind::text);
-    if (error != nullptr && op == Op::add && text) error->hint = "str(x) makes a string of a value";
+    if (error != nullptr && op == Op::add && text)
+        error->hint = "use str(x) to make a string of a value";
     return {};
 }
 

@@ -43,7 +43,7 @@ struct Positive : NumberRule<Positive> {
     static bool holds(double x) { return x > 0; }
 };
 struct NotNegative : NumberRule<NotNegative> {
-    static constexpr std::string_view takes = "a number from 0 on";
+    static constexpr std::string_view takes = "a number of 0 or more";
     static bool holds(double x) { return x >= 0; }
 };
 struct Share : NumberRule<Share> {
@@ -129,7 +129,7 @@ struct ColorRule {
 };
 struct NumberOrColor {
     static constexpr std::string_view takes =
-        "a number from 0 on or a colour without negative parts";
+        "a number of 0 or more, or a colour without negative parts";
     static bool read(const Value& value, Color& out, std::string& instead) {
         if (!value.is_number()) return ColorRule::read(value, out, instead);
         out = Color(value.number());

@@ -62,12 +62,10 @@ void Builder::report_assignment(const char* at) {
         has_value ? report_.error(Message::values_do_not_change, file_.span(property), word)
                   : report_.error(Message::stray_equals, span(at, at + 1));
     if (error != nullptr) {
-        error->hint =
-            has_value || names_itself
-                ? "values do not change: what differs from one turn of a loop to the next "
-                  "is computed from the loop's variable, and another value has another "
-                  "name"
-                : "to give a value a name, write 'let " + std::string(word) + " = ...'";
+        error->hint = has_value || names_itself
+                          ? "a value cannot be changed: in a loop, compute values from the loop's "
+                            "variable; give another value another name"
+                          : "to give a value a name, write 'let " + std::string(word) + " = ...'";
         if (has_value)
             error->notes.insert(error->notes.begin(), Report::note(Message::first_here, first));
     }
@@ -100,7 +98,7 @@ std::size_t Builder::report_hash(const char* at) {
     const std::string_view directive = habits::instead_of_directive(text_of(word));
     Diagnostic* error = report_.error(Message::hash_comment, span(at, at + 1));
     if (error != nullptr)
-        error->hint = directive.empty() ? "a comment begins with '//'" : directive;
+        error->hint = directive.empty() ? "a comment starts with '//'" : directive;
     return scan::line_end(text_, begin) - begin;
 }
 
@@ -159,7 +157,7 @@ std::string Builder::value_hint(std::size_t at) const {
     if (found == "<") return habits::vector_hint(until('>', token.end));
     if (found == "'") {
         const std::string_view inside = until('\'', token.end);
-        return "a string stands between double quotes: \"" +
+        return "use double quotes around a string: \"" +
                (inside.empty() ? "text" : std::string(inside)) + "\"";
     }
     if (habits::announces_color(found)) {
@@ -168,7 +166,7 @@ std::string Builder::value_hint(std::size_t at) const {
                                    "red, green, blue");
     }
     if (found == "+" || found == "-" || found == "*" || found == "/")
-        return "values do not change: another value has another name";
+        return "a value cannot be changed: give another value another name";
     return {};
 }
 
@@ -184,7 +182,7 @@ std::string Builder::hint_for(const SyntaxError& error) const {
         case Message::expected_member:
             // The dot belongs to what stands before it.
             return at >= 2 && scan::is_digit(text_[at - 2])
-                       ? "leave the dot out, or write a digit behind it"
+                       ? "remove the dot, or write a digit after it"
                        : "";
         case Message::number_runs_on: {
             const Token number = token_before(at);
@@ -193,10 +191,10 @@ std::string Builder::hint_for(const SyntaxError& error) const {
         }
         case Message::color_digits:
             return found.empty() || !scan::is_name_part(text_[at - 1])
-                       ? "a comment begins with '//'"
+                       ? "a comment starts with '//'"
                        : "";
         case Message::unknown_escape:
-            return "a backslash of its own is written '\\\\'; in file names '/' serves everywhere";
+            return "write '\\\\' for a backslash; in file names '/' works on every system";
         case Message::unknown_word:
             return std::string(habits::instead_of(found));
         case Message::expected_value:
@@ -209,7 +207,7 @@ std::string Builder::hint_for(const SyntaxError& error) const {
             }
             return value_hint(at);
         case Message::expected_expression:
-            return found == "if" ? "a choice within a value is 'condition ? one : other'"
+            return found == "if" ? "use 'condition ? one : other' to choose a value"
                                  : value_hint(at);
         case Message::expected_statement:
             return found == "'" ? value_hint(at) : "";
@@ -218,28 +216,29 @@ std::string Builder::hint_for(const SyntaxError& error) const {
                        ? habits::vector_hint(until(')', offset_of(within_.brackets.back()) + 1))
                        : "";
         case Message::expected_index_close:
-            return found == "," ? "brackets behind a name take one element of a list, by one number"
+            return found == "," ? "brackets after a name take one number: the index of an element"
                                 : "";
         case Message::expected_close:
             if (found == "for" && *within_.brackets.back() == '[')
-                return "a computed list begins with its 'for': " + std::string(habits::computed);
+                return "a computed list starts with 'for': " + std::string(habits::computed);
             if (found == ":" && *within_.brackets.back() == '[')
-                return "numbers in a row are '0..10' behind 'in', or range(0, 10, 1)";
+                return "use '0..10' after 'in', or range(0, 10, 1), for a row of numbers";
             if (unit) return std::string(habits::about_unit(found));
             return token.kind == Token::Kind::number || token.kind == Token::Kind::name ||
                            token.kind == Token::Kind::string
-                       ? "what stands in brackets is separated by commas"
+                       ? "use commas between the items in brackets"
                        : "";
         case Message::expected_parameters:
             return found == "=" && open_.building.back().kind == Kind::func
-                       ? "a value without parameters is 'let " +
+                       ? "use 'let' for a value without parameters: 'let " +
                              std::string(symbols_.text(open_.building.back().name)) + " = ...'"
                        : "";
         case Message::expected_equals:
             if (open_.building.back().kind == Kind::func)
                 return found == "{" ? std::string(habits::callables) : "";
             return open_.building.back().kind == Kind::param
-                       ? "a param has a value, which -D on the command line replaces: 'param " +
+                       ? "a param needs a default value, which -D on the command line replaces: "
+                         "'param " +
                              std::string(symbols_.text(open_.building.back().name)) + " = 1'"
                        : "";
         case Message::expected_element:
@@ -249,7 +248,7 @@ std::string Builder::hint_for(const SyntaxError& error) const {
             if (!within_.computed.empty())
                 return "a computed list is written " + std::string(habits::computed);
             return !open_.building.empty() && open_.building.back().kind == Kind::loop
-                       ? "a loop is written 'for i in 0..10 { ... }' or 'for x in list { ... }'"
+                       ? "use 'for i in 0..10 { ... }' or 'for x in list { ... }' for a loop"
                        : "";
         case Message::expected_open_brace:
             if (found == "=" && open_.building.back().kind == Kind::def)
@@ -257,7 +256,7 @@ std::string Builder::hint_for(const SyntaxError& error) const {
             if (found == "and" || found == "or") return std::string(habits::instead_of(found));
             if (text_of(before) == "not") return "write '!" + std::string(found) + "'";
             if (found == ":" || found == "then" || found == "do")
-                return "what follows stands in braces: { ... }";
+                return "use braces for the statements that follow: { ... }";
             return {};
         default:
             return {};

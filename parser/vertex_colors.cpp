@@ -24,8 +24,8 @@ void check_vertex_colors(const Scene& scene, Report& report) {
                              mesh != nullptr ? "this mesh has none" : "only meshes have them");
             if (error == nullptr || mesh == nullptr) return;
             error->hint =
-                "a mesh has colours by 'colors [...]', one for each vertex, or from a PLY or OBJ "
-                "file that holds them";
+                "give the mesh 'colors [...]', one for each vertex, or read a PLY or OBJ file that "
+                "has colours";
         });
     }
 }

@@ -27,7 +27,7 @@ std::string date() {
         char* end = nullptr;
         seconds = std::strtoll(epoch, &end, 10);
         if (end == epoch || *end != '\0')
-            throw std::runtime_error("SOURCE_DATE_EPOCH is no number of seconds");
+            throw std::runtime_error("SOURCE_DATE_EPOCH is not a number of seconds");
     }
     return fmt::format("{:%Y-%m-%d}", fmt::gmtime(seconds));
 }

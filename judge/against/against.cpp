@@ -33,13 +33,13 @@ std::string size_problem(const Image& picture, const AgainstJob& job) {
     const reference::ExportView& view = job.scene.view;
     const Scene& scene = *job.scene.scene;
     if (job.size_is_given && (picture.width != view.width || picture.height != view.height)) {
-        return fmt::format("the picture has {} x {} pixels, and --size says {} x {}", picture.width,
+        return fmt::format("the picture has {} x {} pixels, but --size says {} x {}", picture.width,
                            picture.height, view.width, view.height);
     }
     if (job.size_is_given || has_proportions(picture, scene)) return {};
     return fmt::format(
-        "the picture has {} x {} pixels, other proportions than the scene's {} x {}: it is cropped "
-        "or another view. If it is the whole view, say so by --size {}x{}",
+        "the picture has {} x {} pixels, but the scene's {} x {} have other proportions: the "
+        "picture is cropped or shows another view. If it shows the whole view, give --size {}x{}",
         picture.width, picture.height, scene.width, scene.height, picture.width, picture.height);
 }
 
@@ -136,17 +136,17 @@ void tell_where(Validation& result, const ValidationJob& job, const ProbeFunctio
                     job.view.width, job.view.height));
     if (!result.cause) {
         result.reasons.emplace_back(
-            "no single cause that is tried makes all of it: docs/validation.md lists these, and "
-            "the mistakes that cannot be tried");
+            "no single cause that was tried explains all of it: docs/validation.md lists these "
+            "causes, and the mistakes that cannot be tried");
         result.reasons.emplace_back(
-            "whether some of them are coincident surfaces, reference outliers or known differences "
-            "of POV-Ray's is not decidable from a picture");
+            "a picture alone cannot show whether some of them are coincident surfaces, reference "
+            "outliers or known differences of POV-Ray");
     }
     for (const reference::Coincidence& c : undecidable(job)) {
-        result.reasons.push_back(fmt::format(
-            "faces of {} and {} lie in one place: where they are seen it is not decidable from a "
-            "picture which program is right",
-            object_words(job, c.first), object_words(job, c.second)));
+        result.reasons.push_back(
+            fmt::format("faces of {} and {} coincide: where they are visible, a picture alone "
+                        "cannot show which program is right",
+                        object_words(job, c.first), object_words(job, c.second)));
         if (result.reasons.size() > 12) break;
     }
 }
@@ -215,10 +215,9 @@ std::string picture_in_folder(const std::string& folder, const std::string& scen
         std::error_code ignored;
         if (std::filesystem::is_regular_file(file, ignored)) return file.string();
     }
-    throw FileError(
-        fmt::format("there is no picture of '{}' in '{}': none is called {}.exr, .tif, "
-                    ".tiff, .png or .ppm",
-                    scene_path, folder, name));
+    throw FileError(fmt::format(
+        "there is no picture of '{}' in '{}': expected {}.exr, .tif, .tiff, .png or .ppm",
+        scene_path, folder, name));
 }
 
 }  // namespace lancer::judge

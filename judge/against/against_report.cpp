@@ -11,8 +11,8 @@ namespace {
 std::string encoding_words(const Encoding& encoding) {
     switch (encoding.kind) {
         case Encoding::Kind::automatic:
-            return "by the curve that each file names (whole numbers without one are sRGB, floats "
-                   "linear)";
+            return "by the curve that each file names (without one, whole numbers are sRGB, floats "
+                   "are linear)";
         case Encoding::Kind::linear:
             return "as numbers that are linear light";
         case Encoding::Kind::srgb:
@@ -35,36 +35,39 @@ Report against_report(const std::string& lancer_version, const std::string& pict
     report.columns = validation_columns("picture");
     report.histogram_marks = {defaults.tight, defaults.interior};
     report.about = {
-        {"Programs", fmt::format("Lancer {}, in double precision; the other pictures are files, "
-                                 "made by whatever program.",
-                                 lancer_version)},
+        {"Programs",
+         fmt::format(
+             "Lancer {}, in double precision; the other pictures are files, made by any program.",
+             lancer_version)},
         {"What is assumed",
-         fmt::format("One ray through each pixel, at ({:g}, {:g}) from its upper left corner, in "
-                     "both pictures; light in both times {:g}; the scene's depth of recursion; the "
-                     "formulas of the shading page. The pictures were read {}, and where none of "
-                     "their values is above 1, ours are clipped there.",
-                     reading.center_x, reading.center_y, reading.exposure,
-                     encoding_words(reading.encoding))},
+         fmt::format(
+             "Both pictures have one ray through each pixel, at ({:g}, {:g}) from its upper left "
+             "corner; light in both is multiplied by {:g}; the depth of recursion is the scene's, "
+             "the formulas are those of the shading page. The pictures were read {}. If none of a "
+             "picture's values is above 1, ours are clipped at 1.",
+             reading.center_x, reading.center_y, reading.exposure,
+             encoding_words(reading.encoding))},
         {"Judgement",
          fmt::format(
-             "A pixel whose largest channel differs by more than {} must be explained: an edge of "
-             "geometry, shadow or texture must pass its centre within {:g} pixel, and beyond it "
-             "our own picture must take the other's value. Explaining is bounded: at most {:g} % "
-             "of the edge pixels, at most {:g} % by edges that are off by more than {} pixel, no "
-             "shift between the pictures, no common direction of the offsets. Everything else is "
-             "unexplained, and fails; whether it is a coincident surface, a reference outlier or a "
-             "known difference takes POV-Ray, and is not decidable from a picture. Of the pixels "
-             "away from edges {:g} % must agree within {}.",
+             "A pixel in which a channel differs by more than {} must be explained: an edge of "
+             "geometry, shadow or texture must pass within {:g} pixel of its centre, and beyond "
+             "this edge our own picture must have the other picture's value. Explanations are "
+             "limited: to at most {:g} % of the edge pixels, to at most {:g} % by edges that are "
+             "off by more than {} pixel, and there must be no shift between the pictures and no "
+             "common direction of the offsets. Everything else is unexplained, and fails; only "
+             "POV-Ray can show whether it is a coincident surface, a reference outlier or a known "
+             "difference, a picture alone cannot. Of the pixels away from edges {:g} % must agree "
+             "within {}.",
              shown(defaults.interior), defaults.radius, defaults.explained_share * 100,
              defaults.displaced_share * 100, shown(defaults.rounding), defaults.tight_share * 100,
              shown(defaults.tight))},
         {"Likely cause",
-         "Where a picture differs it is tried whether one cause explains nearly all of it: the "
-         "picture turned over or mirrored, a curve too many, another exposure, rays beside the "
-         "pixels' centres, a light of another brightness or falloff, another up vector or angle of "
-         "view, normals that point the other way, objects that are missing, terms of the materials "
-         "that are left out or have another parameter, textures turned over, colours through a "
-         "curve, another depth of recursion."},
+         "Where a picture differs, Lancer tries whether one cause explains nearly all of it: the "
+         "picture is upside down or mirrored, a curve was applied once too often, another "
+         "exposure, rays that miss the pixels' centres, a light of another brightness or falloff, "
+         "another up vector or angle of view, normals that point the other way, missing objects, "
+         "terms of the materials that are left out or have another parameter, textures upside "
+         "down, colours through a curve, another depth of recursion."},
     };
     return report;
 }

@@ -72,14 +72,14 @@ void add_highlights(Changes& changes) {
     for (const double factor : {1.0, 4.0}) {
         const std::string with = factor == 1 ? "" : ", with 4 times the exponent";
         changes.add(
-            "phong highlights are by the half vector, as blinn's are" + with,
+            "phong highlights use the half vector, as blinn highlights do" + with,
             [](const Material& m) { return m.phong > 0 && m.blinn == 0; },
             [factor](Material& m) {
                 m.blinn = std::exchange(m.phong, 0);
                 m.roughness = 1 / (factor * m.shininess);
             });
         changes.add(
-            "blinn highlights are by the mirrored direction, as phong's are" +
+            "blinn highlights use the mirrored direction, as phong highlights do" +
                 (factor == 1 ? with : ", with a quarter of the exponent"),
             [](const Material& m) { return m.blinn > 0 && m.phong == 0; },
             [factor](Material& m) {
@@ -112,17 +112,17 @@ void add_glass(Changes& changes) {
     changes.add("every ior is 1.5", bends, [](Material& m) { m.ior = 1.5; });
     changes.add("light is not bent: every ior is 1", bends, [](Material& m) { m.ior = 1; });
     changes.add(
-        "there is no absorption inside of bodies",
+        "absorption inside of bodies is left out",
         [](const Material& m) { return max_component(m.absorption) > 0; },
         [](Material& m) { m.absorption = Color(0); });
-    changes.add("what is transparent is shown opaque", is_clear,
+    changes.add("transparent surfaces are shown as opaque", is_clear,
                 [](Material& m) { m.transmission = m.filter = 0; });
     changes.add(
-        "filter is taken for transmission: what passes is not coloured",
+        "filter is taken for transmission: light that passes is not tinted",
         [](const Material& m) { return m.filter > 0; },
         [](Material& m) { m.transmission += std::exchange(m.filter, 0); });
     changes.add(
-        "transmission is taken for filter: what passes is coloured",
+        "transmission is taken for filter: light that passes is tinted",
         [](const Material& m) { return m.transmission > 0; },
         [](Material& m) { m.filter += std::exchange(m.transmission, 0); });
 }
@@ -143,7 +143,7 @@ void add_material_variants(std::vector<SceneVariant>& variants, const Scene& sce
         [](Material& m) { m.diffuse_transmission = m.phong_transmission = 0; });
     const auto& all = scene.materials;
     if (std::none_of(all.begin(), all.end(), is_clear)) return;
-    variants.push_back({"what is transparent casts no shadow", [](Scene& s) {
+    variants.push_back({"transparent objects cast no shadow", [](Scene& s) {
                             for (Object& object : s.objects)
                                 if (is_clear(s.materials[object.material]))
                                     object.casts_shadow = false;

@@ -52,16 +52,16 @@ void add_normals(std::vector<SceneVariant>& variants, const ValidationJob& job,
                  const std::vector<std::size_t>& suspects) {
     for (const bool from_behind : {false, true}) {
         for (const std::size_t object : suspects) {
-            variants.push_back({fmt::format("the normals of {} are flipped, it is lit from the "
-                                            "wrong side",
-                                            object_words(job, object)),
-                                [object, from_behind](Scene& scene) {
-                                    turn_normals(scene, object, from_behind);
-                                }});
+            variants.push_back(
+                {fmt::format("the normals of {} are flipped: it is lit from the wrong side",
+                             object_words(job, object)),
+                 [object, from_behind](Scene& scene) {
+                     turn_normals(scene, object, from_behind);
+                 }});
         }
         for (const std::size_t kind : common_kinds(*job.scene)) {
             variants.push_back(
-                {fmt::format("the normals of all {} are flipped, they are lit from the wrong side",
+                {fmt::format("the normals of all {} are flipped: they are lit from the wrong side",
                              kinds[kind]),
                  [kind, from_behind](Scene& scene) {
                      for (std::size_t i = 0; i < scene.objects.size(); ++i)
@@ -70,7 +70,7 @@ void add_normals(std::vector<SceneVariant>& variants, const ValidationJob& job,
                  }});
         }
         if (job.scene->objects.size() < 2) continue;
-        variants.push_back({"all normals are flipped, everything is lit from the wrong side",
+        variants.push_back({"all normals are flipped: everything is lit from the wrong side",
                             [from_behind](Scene& scene) {
                                 for (std::size_t i = 0; i < scene.objects.size(); ++i)
                                     turn_normals(scene, i, from_behind);

@@ -107,10 +107,11 @@ void refuse_coarse(const std::string& path, const Image& numbers, const Image& l
     if (!bits_8 && !has_11_digits(numbers)) return;
     const double half = bits_8 ? half_step_of_8_bits(numbers, light) : half_step_of_halves(numbers);
     if (half <= tolerance) return;
-    throw FileError(fmt::format(
-        "'{}' holds {} a channel, too coarse to be judged: rounding alone moves a value by up to "
-        "{:.2g}, and {:g} is the threshold. Have it written with 16 bits or as floats",
-        path, bits_8 ? "8 bits" : "11 binary digits (half floats)", half, tolerance));
+    throw FileError(
+        fmt::format("'{}' has only {} per channel, which is too coarse to be judged: rounding "
+                    "alone changes a value by up to {:.2g}, but the threshold is {:g}. Write the "
+                    "picture with 16 bits or as floats",
+                    path, bits_8 ? "8 bits" : "11 binary digits (half floats)", half, tolerance));
 }
 
 void refuse_alpha(const std::string& path, const Image& image) {
@@ -120,7 +121,7 @@ void refuse_alpha(const std::string& path, const Image& image) {
             if (image.pixel(x, y)[3] == 1) continue;
             throw FileError(
                 fmt::format("'{}' is not opaque, alpha {:g} at ({}, {}): Lancer shows the scene's "
-                            "background there. Have it written without alpha, over that colour",
+                            "background there. Write the picture without alpha, over that colour",
                             path, image.pixel(x, y)[3], x, y));
         }
     }
@@ -143,7 +144,7 @@ ForeignPicture read_foreign_picture(const std::string& path, const Encoding& enc
     if (encoding.kind == Encoding::Kind::automatic) light = in_color(io::read_image(path));
     for (double& value : light.data) value = light_of(value, encoding);
     if (light.width != numbers.width || light.data.size() != numbers.data.size())
-        throw FileError(fmt::format("'{}' changed while it was read", path));
+        throw FileError(fmt::format("'{}' was changed while it was read", path));
     refuse_coarse(path, numbers, light, tolerance);
     ForeignPicture picture{without_alpha(light), {}};
     if (has_16_bits(numbers))

@@ -22,11 +22,10 @@ void add_up_vectors(std::vector<SceneVariant>& variants, const Camera& seen, std
         {"x", {1, 0, 0}}, {"y", {0, 1, 0}}, {"z", {0, 0, 1}}};
     for (const auto& [name, up] : axes) {
         if (is_parallel(up, view) || is_parallel(up, seen.up)) continue;
-        variants.push_back(
-            {fmt::format("{} is up in the other picture, and ({:g}, {:g}, {:g}) in the scene's "
-                         "camera",
-                         name, seen.up.x, seen.up.y, seen.up.z),
-             [camera, up = up](Scene& scene) { scene.cameras[camera].up = up; }});
+        variants.push_back({fmt::format("{} is up in the other picture, but ({:g}, {:g}, {:g}) is "
+                                        "up in the scene's camera",
+                                        name, seen.up.x, seen.up.y, seen.up.z),
+                            [camera, up = up](Scene& scene) { scene.cameras[camera].up = up; }});
     }
 }
 
@@ -62,7 +61,7 @@ void add_exchanged_axes(std::vector<SceneVariant>& variants, std::size_t camera)
         "(x, z, y)",
         [](const Vec3d& v) { return Vec3d(v.x, v.z, v.y); }, true));
     variants.push_back(axes_exchanged(
-        camera, "z is turned over in the objects, not in the camera: (x, y, z) became (x, y, -z)",
+        camera, "z is reversed in the objects, not in the camera: (x, y, z) became (x, y, -z)",
         [](const Vec3d& v) { return Vec3d(v.x, v.y, -v.z); }, true));
 }
 
@@ -79,9 +78,9 @@ void add_fields_of_view(std::vector<SceneVariant>& variants, const Camera& seen,
     };
     const double half = fov * std::numbers::pi / 360;
     const double shape = static_cast<double>(view.height) / view.width;
-    add(fmt::format("fov {:g} is taken for the horizontal angle; it is the vertical one", fov),
+    add(fmt::format("fov {:g} is taken for the horizontal angle, but it is the vertical one", fov),
         2 * std::atan(std::tan(half) * shape) * 180 / std::numbers::pi);
-    add(fmt::format("fov {:g} is taken for half the angle; it is the full one", fov), 2 * fov);
+    add(fmt::format("fov {:g} is taken for half the angle, but it is the full one", fov), 2 * fov);
     add(fmt::format("half of fov {:g} is taken for the full angle", fov), fov / 2);
 }
 
@@ -97,7 +96,7 @@ void add_settings(std::vector<SceneVariant>& variants, const Scene& scene) {
             [](Scene& s) { s.settings.smooth = false; });
     }
     if (!scene.sky) return;
-    add("there is no sky, the background's colour is in its place",
+    add("the sky is left out: the background's colour is shown instead",
         [](Scene& s) { s.sky = std::nullopt; });
     add("the sky is upside down: its axis points the other way",
         [](Scene& s) { s.sky->axis = -s.sky->axis; });
@@ -121,7 +120,7 @@ void add_depths(std::vector<SceneVariant>& variants, const Scene& scene) {
         if (other < 1 || other > most) continue;
         if (std::find(tried.begin(), tried.end(), other) != tried.end()) continue;
         tried.push_back(other);
-        variants.push_back({fmt::format("rays are followed {} level{} deep; the scene says {}",
+        variants.push_back({fmt::format("rays are followed {} level{} deep, but the scene says {}",
                                         other, other == 1 ? "" : "s", depth),
                             [other](Scene& s) { s.settings.max_depth = other; }});
     }

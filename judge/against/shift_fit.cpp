@@ -146,8 +146,8 @@ std::string shift_words(double x, double y, double center_x, double center_y) {
         ways.push_back(
             fmt::format("{:g} pixel {}", std::abs(rounded(y)), rounded(y) > 0 ? "up" : "down"));
     std::string words = fmt::format(
-        "the picture is shifted by {}: its rays go through points ({:g}, {:g}) pixel beside those "
-        "assumed, x to the right and y down",
+        "the picture is shifted by {}: its rays pass ({:g}, {:g}) pixel from the assumed points, x "
+        "to the right and y down",
         fmt::join(ways, " and "), rounded(x), rounded(y));
     if (px >= 0 && px <= 1 && py >= 0 && py <= 1) {
         words += px == py ? fmt::format(" (--pixel-center {:g})", px)
@@ -170,8 +170,8 @@ std::vector<Explanation> turned_pictures(const Samples& samples, const VariantTr
     };
     return {turned(false, true, "the picture is upside down: its rows begin at the bottom"),
             turned(true, false,
-                   "left and right are exchanged: the scene was taken to be left-handed, or the "
-                   "camera's right side points left"),
+                   "left and right are exchanged: the scene was read as left-handed, or the "
+                   "camera's right vector points left"),
             turned(true, true, "the picture is turned by half a turn")};
 }
 

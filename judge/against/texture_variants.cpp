@@ -60,9 +60,9 @@ void add_images(std::vector<SceneVariant>& variants) {
                                     scene, [&](ImageTexture& image) { image.filter = filter; });
                             }});
     };
-    add_filter("textures have the nearest texel's colour, not interpolated",
+    add_filter("textures show the nearest texel's colour, without interpolation",
                ImageTexture::Filter::nearest);
-    add_filter("textures are all interpolated", ImageTexture::Filter::bilinear);
+    add_filter("all textures are interpolated", ImageTexture::Filter::bilinear);
 }
 
 using Curve = double (*)(double);
@@ -113,9 +113,9 @@ struct NamedCurve {
 };
 constexpr NamedCurve curves[] = {
     {"decoded by the sRGB curve once too often", [](double v) { return srgb_decode(v); }},
-    {"encoded by the sRGB curve: it is not undone", [](double v) { return srgb_encode(v); }},
-    {"taken to the power of 2.2", [](double v) { return elementary::pow(v, 2.2); }},
-    {"taken to the power of 1/2.2", [](double v) { return elementary::pow(v, 1 / 2.2); }},
+    {"still encoded by the sRGB curve", [](double v) { return srgb_encode(v); }},
+    {"raised to the power of 2.2", [](double v) { return elementary::pow(v, 2.2); }},
+    {"raised to the power of 1/2.2", [](double v) { return elementary::pow(v, 1 / 2.2); }},
     {"squared", [](double v) { return v * v; }},
     {"replaced by their square roots", [](double v) { return std::sqrt(v); }},
 };
@@ -132,7 +132,7 @@ void add_texture_variants(std::vector<SceneVariant>& variants, const Scene& scen
                             }});
     }
     if (!scene.textures.empty()) {
-        variants.push_back({"textures are left out, materials have their plain colours",
+        variants.push_back({"textures are left out: materials have their plain colours",
                             [](Scene& s) { s.settings.textures = false; }});
     }
     const auto add = [&](const char* what, auto change) {

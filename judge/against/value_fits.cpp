@@ -59,8 +59,8 @@ std::optional<Explanation> another_exponent(const Samples& samples) {
     if (!exponent || !(*exponent > 0.05 && *exponent < 20) || std::abs(*exponent - 1) < 1e-3)
         return std::nullopt;
     return Explanation{
-        fmt::format("its values are Lancer's to the power of {:.4g}: a gamma of {:.4g} is "
-                    "applied (or undone) that should not be",
+        fmt::format("its values are Lancer's to the power of {:.4g}: a gamma of {:.4g} is applied "
+                    "(or undone), but should not be",
                     *exponent, *exponent < 1 ? 1 / *exponent : *exponent),
         mapped(samples, [&](double v, int) { return v > 0 ? elementary::pow(v, *exponent) : v; })};
 }
@@ -112,12 +112,12 @@ std::string factor_text(double factor) {
 std::vector<Explanation> value_fits(const Samples& samples) {
     std::vector<Explanation> found;
     found.push_back(
-        {"gamma is applied twice: the values are encoded by the sRGB curve once more than the "
-         "file says (--encoding srgb, if it was read as linear)",
+        {"gamma is applied twice: the values are encoded by the sRGB curve once more than the file "
+         "says (give --encoding srgb if it was read as linear)",
          mapped(samples, [](double v, int) { return encoded(v); })});
     found.push_back(
-        {"gamma is missing: the file holds linear light and is read as sRGB (--encoding linear, "
-         "or have the file say so, as a PNG does by gAMA 1)",
+        {"gamma is missing: the file contains linear light, but is read as sRGB (give --encoding "
+         "linear, or mark the file as linear, as a PNG is marked by gAMA 1)",
          mapped(samples, [](double v, int) { return decoded(v); })});
     found.push_back({"red and blue are exchanged", channels_turned(samples)});
     for (auto* fit : {another_exponent, another_exposure, another_white})

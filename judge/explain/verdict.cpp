@@ -38,14 +38,14 @@ void decide(Judgement& result, const Thresholds& limits) {
                                        unexplained, limits.interior, limits.unexplained));
         if (result.not_looked_at > 0) {
             failures.push_back(
-                fmt::format("{} of them were not looked at: explaining ended after {} rays",
+                fmt::format("{} of them were not examined: explaining ended after {} rays",
                             result.not_looked_at, result.rays));
         }
     }
     if (result.tight_share < limits.tight_share) {
-        failures.push_back(
-            fmt::format("{:.3f} % of the pixels away from edges are within {:g}, {:g} % needed",
-                        result.tight_share * 100, limits.tight, limits.tight_share * 100));
+        failures.push_back(fmt::format(
+            "{:.3f} % of the pixels away from edges are within {:g}, but {:g} % are needed",
+            result.tight_share * 100, limits.tight, limits.tight_share * 100));
     }
     const std::size_t most = allowed_pixels(limits.explained_share, result.edge_pixels);
     if (result.explained > most) {
@@ -56,13 +56,14 @@ void decide(Judgement& result, const Thresholds& limits) {
     const std::size_t most_displaced = allowed_pixels(limits.displaced_share, result.edge_pixels);
     if (result.displaced > most_displaced) {
         failures.push_back(fmt::format(
-            "{} edges lie more than {:g} pixel apart in the two pictures, at most {} may",
+            "{} edges are more than {:g} pixel apart in the two pictures, at most {} are allowed",
             result.displaced, limits.rounding, most_displaced));
     }
     if (result.edge_shift.is_significant(limits.rounding, 3)) {
-        failures.push_back(fmt::format(
-            "the explaining edges all lie to one side, by ({:.2g}, {:.2g}) pixel on average",
-            result.edge_shift.x, result.edge_shift.y));
+        failures.push_back(
+            fmt::format("the edges that explain differences are all displaced to one side, by "
+                        "({:.2g}, {:.2g}) pixel on average",
+                        result.edge_shift.x, result.edge_shift.y));
     }
     if (result.picture_shift.is_significant(limits.shift, 5)) {
         result.shift_failure =

@@ -116,7 +116,7 @@ std::string loupe(const ReportEntry& entry, const Report& report) {
     if (entry.heat.png.empty()) return {};
     std::string html = fmt::format(
         "<div class=\"loupe\" data-width=\"{}\" data-height=\"{}\"><p class=\"soft at\">Point at a "
-        "picture for the values there; a click holds the place.</p>",
+        "picture to see the values there; click to keep the place.</p>",
         entry.left.width, entry.left.height);
     for (const auto& [side, name] :
          {std::pair{"left", report.left_name}, {"right", report.right_name}})

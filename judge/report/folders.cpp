@@ -38,7 +38,7 @@ void add_measures(ReportEntry& entry, const reference::Comparison& c,
                               fmt::format("≤ {:g} %", options.fail_percent), c.pass});
     if (c.over_at_edges > 0) {
         entry.measures.push_back(
-            {options.edges_may_move ? "… where an edge lies, which may be" : "… where an edge lies",
+            {options.edges_may_move ? "… at an edge, which is allowed" : "… at an edge",
              std::to_string(c.over_at_edges), "", true});
     }
     if (const reference::Window& w = c.densest; w.flagged > 0) {
@@ -154,17 +154,15 @@ FolderComparison compare_folders(const std::string& a, const std::string& b,
     result.report.columns = {"Largest", "Mean", fmt::format("Over {:g}", options.fail), "FLIP"};
     result.report.about = {
         {"Comparison",
-         fmt::format(
-             "Pictures of the same name, in linear light: 8-bit files are decoded with the sRGB "
-             "curve, 16-bit PNG as it says itself, EXR and HDR are linear. A pixel is over when "
-             "its "
-             "largest channel differs by more than {:g}; a pair differs when more than {:g} % of "
-             "its pixels are.{}",
-             options.fail, options.fail_percent,
-             options.edges_may_move
-                 ? " Not counted are pixels at which one of the pictures has an edge and each has "
-                   "a value that the other has within a pixel."
-                 : "")}};
+         fmt::format("Pictures of the same name are compared in linear light: 8-bit files are "
+                     "decoded with the sRGB curve, 16-bit PNG files as they say themselves, EXR "
+                     "and HDR files are linear. A pixel is over when a channel differs by more "
+                     "than {:g}; a pair differs when more than {:g} % of its pixels are over.{}",
+                     options.fail, options.fail_percent,
+                     options.edges_may_move
+                         ? " A pixel is not counted when one of the pictures has an edge there, "
+                           "and each picture's value occurs in the other within one pixel."
+                         : "")}};
     if (options.fail > 0) result.report.histogram_marks = {options.fail};
     for (const std::string& name : names) {
         ReportEntry entry;

@@ -177,8 +177,9 @@ void write_report(Report report, const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder)) {
-        throw FileError(fmt::format("cannot make the folder '{}': {}", folder,
-                                    error ? error.message() : "something else has this name"));
+        throw FileError(
+            fmt::format("cannot make the folder '{}': {}", folder,
+                        error ? error.message() : "something that is not a folder has this name"));
     }
     fit(report, report_bytes);
     for (const ReportEntry& entry : report.entries)

@@ -80,7 +80,7 @@ std::string range_row(const Window& w, std::size_t pixels) {
     const Sample* first = sample_at(w.samples, origin);
     if (first != nullptr && !first->right)
         notes.insert(notes.begin(),
-                     fmt::format("{} wrong where it stands", pixels_text(first->wrong)));
+                     fmt::format("{} wrong without any change", pixels_text(first->wrong)));
     if (w.cut_short) notes.emplace_back("no time for more");
     const bool nothing = change == Change::shift && w.highest == origin;
     const auto end = [&](int at, int limit) {
@@ -145,7 +145,7 @@ std::string stability_row(const StabilityReport& report, const PovRayWindow& pov
 }
 
 std::string stability_foot(const StabilityReport& report) {
-    std::string out = "  * the end of what was tried\n";
+    std::string out = "  * the end of the range that was tried\n";
     for (const WindowDemand& d : report.demands)
         out += fmt::format("  demanded {}: {}\n", d.text, d.held ? "held" : "NOT HELD");
     return out;
@@ -158,11 +158,11 @@ std::string clause(const Window& w) {
     const std::string high = power_text(change, w.highest);
     switch (change) {
         case Change::scale:
-            if (w.lowest == 0 && w.highest == 0) return "right at its own size only";
+            if (w.lowest == 0 && w.highest == 0) return "right only at its own size";
             return fmt::format("right from {} to {} times its size", power_text(change, w.lowest),
                                high);
         case Change::twos:
-            if (w.lowest == 0 && w.highest == 0) return "not one bit the same at twice its size";
+            if (w.lowest == 0 && w.highest == 0) return "other bits already at twice its size";
             return fmt::format("the same bits from {} to {} times its size",
                                power_text(change, w.lowest), high);
         case Change::shift:
@@ -170,7 +170,7 @@ std::string clause(const Window& w) {
                 return fmt::format("wrong when moved by {}", power_text(change, w.trial.low));
             return fmt::format("moved by up to {}", high);
         case Change::distance:
-            return fmt::format("from up to {} times as far", high);
+            return fmt::format("right from up to {} times as far", high);
         case Change::axes:
             return w.holds() ? "with any names of the axes" : "not with other names of the axes";
         case Change::extended:

@@ -42,13 +42,13 @@ std::string detail(const TradeOffReport& r, std::size_t i, const std::string& pr
         m.beaten_by ? fmt::format("beaten by {}", *m.beaten_by + 1) : "on the frontier",
         escaped(command(m)));
     html += picture(m.png, r, "Picture");
-    html += picture(m.error_png, r, "Off the truth by, logarithmic from 1e-6 to 1");
-    html += picture(m.guessed_png, r, "The same, as the setting guessed it");
-    html += picture(m.samples_png, r, "Samples a pixel: doubled from black to white");
+    html += picture(m.error_png, r, "Difference from the truth, logarithmic from 1e-6 to 1");
+    html += picture(m.guessed_png, r, "The same, as predicted by the setting");
+    html += picture(m.samples_png, r, "Samples per pixel: doubled from black to white");
     html += fmt::format(
         "</div><p>RMSE {} · 99.9 % {} · FLIP {}<br>{} s of the processor, cost {} s, {} times as "
         "fast as "
-        "exact · {} rays a pixel · shadow {} · reflected {} · transmitted {}{}</p></div>\n",
+        "exact · {} rays per pixel · shadow {} · reflected {} · transmitted {}{}</p></div>\n",
         error_text(m.error), shown(m.error.p999, 2), shown(m.error.flip, 2), shown(m.median()),
         shown(m.counted()), shown(r.settings[r.exact].counted() / std::max(1e-9, m.counted()), 2),
         shown(static_cast<double>(m.rays.primary) / r.pixels()), m.rays.shadow, m.rays.reflected,
@@ -62,7 +62,7 @@ std::string table(const TradeOffReport& r, const std::string& prefix) {
     std::string html =
         "<div class=\"table\"><table class=\"settings\"><thead><tr><th class=\"number\">No</th>"
         "<th>Setting</th><th class=\"number\">Cost, s</th><th class=\"number\">Time, s</th><th "
-        "class=\"number\">Rays a pixel</th>"
+        "class=\"number\">Rays per pixel</th>"
         "<th class=\"number\">MB</th><th class=\"number\">RMSE</th><th class=\"number\">95 %</th>"
         "<th class=\"number\">99.9 %</th><th class=\"number\">FLIP</th><th></th></tr></thead>"
         "<tbody>\n";
@@ -200,7 +200,7 @@ std::string tradeoff_page(std::vector<TradeOffReport> reports, std::size_t most_
         "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta "
         "name=\"generator\" content=\"{}\">\n<title>Speed for accuracy</title>\n<style>\n{}{}"
         "</style>\n</head>\n<body>\n<header><div><h1>Speed for accuracy</h1><p>What each setting "
-        "takes, and how far its picture is from the truth. <button id=\"theme\" title=\"Light or "
+        "costs, and how far its picture is from the truth. <button id=\"theme\" title=\"Light or "
         "dark\">◐</button></p></div></header>\n<main>\n",
         tradeoff_mark, page_style, tradeoff_style);
     for (std::size_t i = 0; i < reports.size(); ++i) html += section(reports[i], i, plots[i]);

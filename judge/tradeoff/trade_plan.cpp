@@ -61,8 +61,8 @@ void TradePlan::begin() {
     if (options_.budget > 0) {
         const double least = unit_ * (1 + 2 * first_truth_points + 4);
         if (!fits(least))
-            throw BudgetTooShort(
-                fmt::format("even a truth and one setting take about {:.2g} s", elapsed() + least));
+            throw BudgetTooShort(fmt::format("even the truth and one setting take about {:.2g} s",
+                                             elapsed() + least));
         const double rays = options_.budget / unit_;
         for (const int n : {6, 4, 3, 2})
             if (samples_ * samples_ > 0.1 * rays) samples_ = n;

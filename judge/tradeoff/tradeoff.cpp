@@ -220,7 +220,7 @@ class TradeOff {
             if (!plan_.fits(1.1 * (all ? once : once_short))) {
                 if (round < fewest_rounds)
                     report_.left_out.push_back(
-                        {"more rounds", fmt::format("no time; times are of {}", round)});
+                        {"more rounds", fmt::format("no time left; the times are from {}", round)});
                 return;
             }
             for (std::size_t i = 0; i < report_.settings.size(); ++i) {

@@ -121,12 +121,13 @@ std::string tradeoff_text(const TradeOffReport& r) {
     out += fmt::format("{:>5} {:>8} {:>8} {:>8} {:>7} {:<29} {:>7} {:>7}  {}\n", "no", "cost s",
                        "cpu s", "rays/px", "MB", "RMSE (95 %)", "99.9 %", "FLIP", "setting");
     for (const std::size_t i : by_cost(r)) out += row(i + 1, r.settings[i], r);
-    out += "* nothing else is both cheaper and nearer to the truth\n" + cost_words(r) + "\n";
-    out += fmt::format("truth: {} rays a pixel, its own error about {}{}\n", r.truth_points,
+    out += "* no other setting is both cheaper and nearer to the truth\n" + cost_words(r) + "\n";
+    out += fmt::format("truth: {} rays per pixel, its own error about {}{}\n", r.truth_points,
                        shown(r.truth_error, 2), r.truth_cached ? ", from the cache" : "");
     out += truth_cut_words(r) + "\n";
     if (r.is_truth_rough())
-        out += "that is more than a third of the smallest error, whose interval is wide\n";
+        out +=
+            "this is more than a third of the smallest error, so that error has a wide interval\n";
     for (const Advice& a : r.advice) out += sentence(a, r.settings) + "\n";
     for (const LeftOut& l : r.left_out) out += fmt::format("left out: {}: {}\n", l.setting, l.why);
     return out;
@@ -134,16 +135,17 @@ std::string tradeoff_text(const TradeOffReport& r) {
 
 std::string cost_words(const TradeOffReport& r) {
     return fmt::format(
-        "cost: the seconds of a setting's rays, by what all settings together say of each kind, "
-        "and of "
-        "its own times what surely differs; times are sure to about {:.0f} %",
+        "cost: seconds of a setting's rays, from the price of each kind of ray in all settings "
+        "together, corrected by the setting's own times where they clearly differ; times are known "
+        "to about {:.0f} %",
         100 * r.time_noise);
 }
 
 std::string truth_cut_words(const TradeOffReport& r) {
-    if (r.truth_cut == 0) return "its limits cut nothing";
-    if (!std::isfinite(r.truth_cut)) return "what its limits cut has no bound";
-    return fmt::format("what its limits cut is an RMSE of {} at most{}", shown(r.truth_cut, 2),
+    if (r.truth_cut == 0) return "its limits cut no light";
+    if (!std::isfinite(r.truth_cut)) return "the light that its limits cut has no bound";
+    return fmt::format("the light that its limits cut is an RMSE of at most {}{}",
+                       shown(r.truth_cut, 2),
                        r.is_truth_cut_short() ? ", more than a tenth of the smallest error" : "");
 }
 

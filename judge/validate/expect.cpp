@@ -58,7 +58,7 @@ Number parsed(std::string_view text) {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) {
-        throw FileError(fmt::format("'{}' is not a number that fits here", text));
+        throw FileError(fmt::format("'{}' is not a valid number", text));
     }
     return value;
 }
@@ -70,7 +70,7 @@ void set_value(Expectations& result, std::string_view key, std::string_view valu
         const auto number = parsed<double>(value);
         if (!(number >= known.least && number <= known.most)) {
             throw FileError(
-                fmt::format("{} must lie between {:g} and {:g}", key, known.least, known.most));
+                fmt::format("{} must be between {:g} and {:g}", key, known.least, known.most));
         }
         result.thresholds.*known.number = number;
         return;
@@ -81,7 +81,7 @@ void set_value(Expectations& result, std::string_view key, std::string_view valu
         return;
     }
     if (key != "refused") {
-        throw FileError(fmt::format("unknown key '{}'; there are {}", key, known_keys()));
+        throw FileError(fmt::format("unknown key '{}'; known keys are {}", key, known_keys()));
     }
     if (value != "yes") throw FileError("refused takes only the value yes");
     result.refused = true;
@@ -100,8 +100,9 @@ void read_line(Expectations& result, std::string_view line, std::set<std::string
         gap == std::string_view::npos ? std::string_view{} : trimmed(setting.substr(gap));
     if (value.empty()) throw FileError(fmt::format("{} has no value", key));
     if (reason.empty())
-        throw FileError(fmt::format("{} needs a reason: {} {}  # why", key, key, value));
-    if (!seen.emplace(key).second) throw FileError(fmt::format("{} stands here twice", key));
+        throw FileError(
+            fmt::format("{} needs a reason, written as: {} {}  # why", key, key, value));
+    if (!seen.emplace(key).second) throw FileError(fmt::format("{} is given twice", key));
     set_value(result, key, value, reason);
     result.reasons.push_back(fmt::format("{} {}: {}", key, value, reason));
 }

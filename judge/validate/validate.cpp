@@ -51,7 +51,7 @@ bool take_export(Validation& result, const ValidationJob& job, reference::Export
     result.refusals = exported.refusals;
     if (exported.refusals.empty()) {
         if (!job.expect.refused) return true;
-        result.reasons.push_back("the exporter was expected to refuse this scene, and did not");
+        result.reasons.push_back("the exporter was expected to refuse this scene, but did not");
         return false;
     }
     for (const Diagnostic& refusal : exported.refusals) result.reasons.push_back(refusal.message);

@@ -43,13 +43,13 @@ void add_measures(ReportEntry& entry, const Validation& v) {
     add(fmt::format("… by an edge off by {} pixel", shown(t.rounding)), share_of_edges(j.displaced),
         "≤ " + percent(t.displaced_share), within(j.displaced, t.displaced_share));
     if (v.picture.empty())
-        add("Known differences, shown by POV-Ray's rule",
+        add("Known differences, confirmed by POV-Ray's rule",
             std::to_string(j.count(PixelClass::known)), "", true);
     if (j.count(PixelClass::coincident) > 0)
-        add("Coincident surfaces: told apart, POV-Ray has Lancer's value",
+        add("Coincident surfaces: when they are separated, POV-Ray has Lancer's value",
             std::to_string(j.count(PixelClass::coincident)), "", true);
     if (v.picture.empty())
-        add("Outliers, which POV-Ray's own picture denies",
+        add("Outliers, which POV-Ray's own picture contradicts",
             fmt::format("{} of {}", j.count(PixelClass::outlier), j.pixels),
             "≤ " + percent(t.outlier_share), true);
     if (j.picture_shift.count > 0) {
@@ -95,9 +95,10 @@ void add_markers(ReportEntry& entry, const Validation& v) {
         }
         if (p.pixel_class == PixelClass::outlier) text += "; POV-Ray has our value around it";
         if (p.pixel_class == PixelClass::known)
-            text += "; as POV-Ray's rules have it" + rule_names(v.known_differences);
+            text +=
+                "; Lancer has POV-Ray's value by POV-Ray's rules" + rule_names(v.known_differences);
         if (p.pixel_class == PixelClass::coincident)
-            text += "; POV-Ray has ours where coincident faces are told apart";
+            text += "; POV-Ray has our value when coincident faces are separated";
         entry.markers.push_back({p.x, p.y, kind, std::move(text), p.difference, p.ours, p.theirs});
     }
     sort_markers(entry.markers);
@@ -131,10 +132,10 @@ std::string summary_of(const Validation& v) {
     const auto add = [&](std::size_t n, const char* what) {
         if (n > 0) others.push_back(fmt::format("{} {}", n, what));
     };
-    add(j.explained, j.explained == 1 ? "lies on an edge" : "lie on edges");
+    add(j.explained, j.explained == 1 ? "is on an edge" : "are on edges");
     add(j.count(PixelClass::known), "by a rule of POV-Ray's");
     add(j.count(PixelClass::coincident), "where surfaces coincide, shown by a second export");
-    add(j.count(PixelClass::outlier), "that POV-Ray's own picture denies");
+    add(j.count(PixelClass::outlier), "that POV-Ray's own picture contradicts");
     add(j.count(PixelClass::unexplained), "unexplained");
     return fmt::format("{} of {} pixels agree to {}{}{}.", j.count(PixelClass::agrees), j.pixels,
                        shown(v.thresholds.interior), others.empty() ? "" : "; of the others ",
@@ -162,7 +163,7 @@ void add_files(ReportEntry& entry, const Validation& v) {
 void add_notes(ReportEntry& entry, const Validation& v) {
     for (const reference::KnownDifference& known : v.known_differences) {
         entry.notes.push_back(
-            {"POV-Ray does otherwise: " + reference::rule_name(known.rule), known.explanation});
+            {"Known difference: " + reference::rule_name(known.rule), known.explanation});
     }
     // Opaque on opaque is no matter: no ray gets there.
     std::vector<std::string> told;
@@ -174,7 +175,7 @@ void add_notes(ReportEntry& entry, const Validation& v) {
         told.resize(most_pairs_told);
         told.push_back(fmt::format("and {} more", more));
     }
-    for (const std::string& text : told) entry.notes.push_back({"In one place", text});
+    for (const std::string& text : told) entry.notes.push_back({"Coincident faces", text});
     for (const std::string& approximation : v.approximations) {
         entry.notes.push_back({"Approximated", approximation});
     }
@@ -192,12 +193,13 @@ void add_notes(ReportEntry& entry, const Validation& v) {
     }
     std::string facts = fmt::format("picture {} pixels\nPOV-Ray {}\n", size, v.pov_version);
     if (v.pov_seconds > 0) {
-        facts += fmt::format("POV-Ray took {:.2f} s{}\n", v.pov_seconds,
-                             v.from_cache ? ", when the picture was made; it was kept since" : "");
+        facts +=
+            fmt::format("POV-Ray took {:.2f} s{}\n", v.pov_seconds,
+                        v.from_cache ? ", when the picture was made; it is from the cache" : "");
     }
     facts += fmt::format(
-        "lengths in the export: {:g} times those of the scene\n"
-        "light in both pictures: {:g} times that of the scene, so that nothing passes 1",
+        "lengths in the export: {:g} times those of the scene\nlight in both pictures: {:g} times "
+        "that of the scene, so that no value is above 1",
         v.factor, v.exposure);
     entry.evidence.push_back({"Circumstances", std::move(facts)});
 }
@@ -240,7 +242,7 @@ ReportEntry report_entry(const Validation& v) {
 }
 
 std::vector<std::string> validation_columns(const std::string& other) {
-    return {"Largest off edges",
+    return {"Largest away from edges",
             "Within " + shown(Thresholds().tight),
             "Explained",
             "Known",
@@ -259,31 +261,29 @@ Report validation_report(const reference::PovRay& povray, const std::string& lan
     report.histogram_marks = {defaults.tight, defaults.interior};
     report.about = {
         {"Programs",
-         fmt::format("Lancer {}, in double precision; POV-Ray {}, an independent program "
-                     "that gets each scene in its own language and renders it with its own "
-                     "primitives.",
+         fmt::format("Lancer {}, in double precision; POV-Ray {}, an independent program that "
+                     "reads each scene in its own language and renders it with its own primitives.",
                      lancer_version, povray.version)},
         {"Lancer's picture",
-         "One ray through the centre of each pixel, no branch left out. Linear light in 64-bit "
-         "numbers, "
-         "clipped to 0..1; never rounded before the comparison."},
+         "One ray through the centre of each pixel, all reflected and transmitted rays are "
+         "followed. Linear light in 64-bit numbers, clipped to 0..1; never rounded before the "
+         "comparison."},
         {"POV-Ray's picture",
          "One ray through the centre of each pixel (-A), adc_bailout 0, assumed_gamma 1.0, "
-         "File_Gamma=1.0: a 16-bit PNG whose numbers are linear light, read as they stand and "
-         "divided by "
-         "65535. Half a step is 7.6e-6."},
+         "File_Gamma=1.0: a 16-bit PNG whose numbers are linear light, read as they are and "
+         "divided by 65535. Half a step is 7.6e-6."},
         {"Judgement",
          fmt::format(
-             "A pixel whose largest channel differs by more than {} must be explained: an edge of "
-             "geometry, shadow or texture must pass its centre within {:g} pixel, and beyond it "
-             "our own picture must take POV-Ray's value; or POV-Ray does otherwise by a rule: then "
-             "a second recursion must give POV-Ray's value by its rules, and ours without them; or "
-             "POV-Ray must deny its own value by what it shows to both sides of the pixel's "
-             "centre. Explaining is bounded: at most {:g} % of the edge pixels, at most {:g} % by "
-             "edges that are off by more than {} pixel, at most {:g} % of all pixels by denials, "
-             "no shift between the pictures, no common direction of the offsets. Everything else "
-             "is unexplained, and fails. Of the pixels away from edges {:g} % must agree within "
-             "{}.",
+             "A pixel in which a channel differs by more than {} must be explained in one of three "
+             "ways. An edge of geometry, shadow or texture passes within {:g} pixel of its centre, "
+             "and beyond this edge our own picture has POV-Ray's value. Or POV-Ray follows another "
+             "rule: then a second recursion must give POV-Ray's value by its rules, and ours "
+             "without them. Or POV-Ray's own picture contradicts the value by what it shows on "
+             "both sides of the pixel's centre. Explanations are limited: to at most {:g} % of the "
+             "edge pixels, to at most {:g} % by edges that are off by more than {} pixel, to at "
+             "most {:g} % of all pixels by contradictions, and there must be no shift between the "
+             "pictures and no common direction of the offsets. Everything else is unexplained, and "
+             "fails. Of the pixels away from edges {:g} % must agree within {}.",
              shown(defaults.interior), defaults.radius, defaults.explained_share * 100,
              defaults.displaced_share * 100, shown(defaults.rounding), defaults.outlier_share * 100,
              defaults.tight_share * 100, shown(defaults.tight))},

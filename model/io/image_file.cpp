@@ -67,8 +67,10 @@ std::string encode_image(const std::string& path, const Image& image,
     if (format == "png") return encode_png(image, options, path);
     if (format == "ppm") return encode_ppm(image, options);
     if (!format.empty()) return encode_apart(image, format, path, options);
-    throw FileError(fmt::format(
-        "cannot write '{}': a picture ends in .png .exr .hdr .tif .tiff .jpg .jpeg or .ppm", path));
+    throw FileError(
+        fmt::format("cannot write '{}': the name of a picture must end in .png .exr .hdr .tif "
+                    ".tiff .jpg .jpeg or .ppm",
+                    path));
 }
 
 void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options) {

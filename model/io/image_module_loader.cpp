@@ -36,10 +36,10 @@ const ImageModule& load() {
         reason = candidates().front().lexically_normal().string() +
                  " is missing (Debian: apt-get install lancer-pictures)";
     }
-    throw FileError(fmt::format(
-        "only PNG and PPM pictures can be read and written, and PFM be read: the module for others "
-        "cannot be loaded: {}",
-        reason));
+    throw FileError(
+        fmt::format("only PNG and PPM pictures can be read and written, and PFM pictures can be "
+                    "read: the module for other formats cannot be loaded: {}",
+                    reason));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class MaterialFinder {
         // What a library that cannot be read would have held was said with it.
         if (!missing.empty() && all_read_)
             found_.warnings.push_back(
-                fmt::format("{}: materials that no library has: {}", mesh_, missing));
+                fmt::format("{}: no library contains these materials: {}", mesh_, missing));
         return std::move(found_);
     }
 
@@ -74,7 +74,7 @@ class MaterialFinder {
         if (problem.empty()) return;
         all_read_ = false;
         found_.warnings.push_back(
-            fmt::format("{}:{}: no materials: {}", mesh_, statement.line, problem));
+            fmt::format("{}:{}: the materials cannot be read: {}", mesh_, statement.line, problem));
     }
 
     bool read(const std::string& name, std::string& problem) {
@@ -97,7 +97,7 @@ class MaterialFinder {
             skipped += (skipped.empty() ? "" : ", ") + what;
         if (!skipped.empty())
             found_.warnings.push_back(
-                fmt::format("{}: skipped, as Lancer has nothing like it: {}", path, skipped));
+                fmt::format("{}: skipped, because Lancer does not support it: {}", path, skipped));
         return true;
     }
 

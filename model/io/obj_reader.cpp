@@ -104,7 +104,8 @@ class ObjReader {
             soup_.colors.push_back(color);
         } else if (colorless_.empty()) {
             colorless_ =
-                scanner_.error("this vertex has no colour, others have one: such are white").what();
+                scanner_.error("this vertex has no colour, but others have one: it becomes white")
+                    .what();
         }
         soup_.vertices.push_back(place);
     }
@@ -144,7 +145,7 @@ class ObjReader {
             append(soup_.normal_corners, normal);
         }
         if (soup_.corners.size() - begin < 3) {
-            throw scanner_.error("a face has at least three corners");
+            throw scanner_.error("a face needs at least three corners");
         }
         soup_.face_ends.push_back(soup_.corners.size());
         // Only a file that names materials pays for them.

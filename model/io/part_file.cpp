@@ -30,7 +30,7 @@ bool read_at(int file, std::string& bytes, std::uint64_t at, const std::string& 
 }
 
 FileError damaged(const std::string& path) {
-    return FileError(fmt::format("'{}' is damaged: draw this part again", path));
+    return FileError(fmt::format("'{}' is damaged: render this part again", path));
 }
 
 }  // namespace
@@ -68,14 +68,14 @@ struct PartReader::State {
         struct stat status {};
         if (fstat(file->number(), &status) != 0) throw system_error("cannot read", path, errno);
         if (!S_ISREG(status.st_mode))
-            throw FileError(fmt::format("'{}' is no part of a picture: it is no file", path));
+            throw FileError(fmt::format("'{}' is not a part of a picture: it is not a file", path));
         const auto size = static_cast<std::uint64_t>(status.st_size);
         std::string begin(std::min<std::uint64_t>(size, most_head_text), '\0');
         if (!read_at(file->number(), begin, 0, path)) throw damaged(path);
         const std::optional<ToldHead> told = told_head(begin);
         if (!told) {
             throw FileError(fmt::format(
-                "'{}' is no part of a picture, or damaged: parts are what render --part writes",
+                "'{}' is damaged, or not a part of a picture: parts are written by render --part",
                 path));
         }
         head = told->head;

@@ -66,7 +66,7 @@ Image decode_pfm(std::string_view bytes, const std::string& name) {
     const double scale = scanner.number("the scale, which is negative for little-endian floats");
     // Programs do not agree whether another number multiplies or divides.
     if (std::abs(scale) != 1)
-        throw scanner.error(fmt::format("the scale is {:g}, and may be 1 or -1", scale));
+        throw scanner.error(fmt::format("the scale is {:g}, but must be 1 or -1", scale));
     const std::string excess = size_problem(static_cast<std::uint64_t>(width),
                                             static_cast<std::uint64_t>(height), channels);
     if (!excess.empty()) throw scanner.error(excess);
@@ -79,7 +79,7 @@ Image decode_pfm(std::string_view bytes, const std::string& name) {
     if (raster.size() != ending + 4 * count)
         throw scanner.error(raster.size() < ending + 4 * count
                                 ? "the file is truncated"
-                                : "there are bytes behind the picture");
+                                : "there are bytes after the picture");
     raster.remove_prefix(ending);
 
     Image image(width, height, channels);

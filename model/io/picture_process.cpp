@@ -168,9 +168,9 @@ class PictureProcess {
     std::string problem_of(const PictureReply& reply, PictureTask task) const {
         using Kind = PictureReply::Kind;
         const std::string too_long = fmt::format(
-            "it takes longer than the {} s allowed (--limit-picture-seconds)", limits_.seconds);
+            "it takes longer than the allowed {} s (--limit-picture-seconds)", limits_.seconds);
         const std::string too_large =
-            fmt::format("it needs more memory than the {} MiB allowed (--limit-picture-memory)",
+            fmt::format("it needs more memory than the allowed {} MiB (--limit-picture-memory)",
                         limits_.memory);
         if (reply.kind == Kind::not_started) return reply.text.data();
         if (reply.kind == Kind::timed_out) return too_long;

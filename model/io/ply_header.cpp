@@ -36,7 +36,7 @@ class HeaderReader {
 
     PlyHeader read() {
         if (scanner_.word() != "ply" || !scanner_.at_line_end()) {
-            throw scanner_.error("a PLY file begins with the word ply");
+            throw scanner_.error("a PLY file must start with the word ply");
         }
         scanner_.next_line();
         for (;;) {
@@ -100,7 +100,7 @@ class HeaderReader {
     }
 
     void property() {
-        if (header_.elements.empty()) throw scanner_.error("a property belongs to an element");
+        if (header_.elements.empty()) throw scanner_.error("a property must belong to an element");
         PlyProperty property;
         std::string_view type_name = scanner_.word();
         if (type_name == "list") {
@@ -108,7 +108,7 @@ class HeaderReader {
             property.count_type = type(scanner_.word());
             if (property.count_type == PlyType::float32 ||
                 property.count_type == PlyType::float64) {
-                throw scanner_.error("the length of a list is a whole number");
+                throw scanner_.error("the length of a list must be a whole number");
             }
             type_name = scanner_.word();
         }

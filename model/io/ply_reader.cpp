@@ -308,7 +308,8 @@ class PlyReader {
     void corners(const PlyProperty& property, std::uint64_t face) {
         const std::uint64_t count = length(property);
         if (count < 3) {
-            throw data_.error(fmt::format("face {} has {} corners, not at least 3", face, count));
+            throw data_.error(
+                fmt::format("face {} has {} corners, but needs at least 3", face, count));
         }
         if constexpr (requires { data_.line(); }) soup_.face_lines.push_back(data_.line());
         for (std::uint64_t i = 0; i < count; ++i) {

@@ -229,8 +229,8 @@ bool triangulate(std::span<const Vec3d> vertices, std::span<const std::uint32_t>
     } else {
         if (corners.size() > most_concave_corners) {
             throw FileError(
-                fmt::format("a face of {} corners that is not convex cannot be split "
-                            "(at most {} corners)",
+                fmt::format("a face of {} corners that is not convex cannot be split into "
+                            "triangles (at most {} corners)",
                             corners.size(), most_concave_corners));
         }
         polygon.clip_ears(triangles);

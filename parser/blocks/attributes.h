@@ -10,7 +10,7 @@ namespace lancer {
 inline constexpr Field attribute_fields[] = {
     field<&Attributes::material, rules::MaterialRule>(
         "material", "the group's, or white", "its material: a name, or material { ... } in place"),
-    field<&Attributes::name, rules::String>("name", "none", "what statistics and exports call it"),
+    field<&Attributes::name, rules::String>("name", "none", "its name in statistics and exports"),
     field<&Attributes::shadow, rules::Flag>("shadow", "true", "false: it casts no shadow"),
     repeated_field<&Attributes::transforms, transform_rules::Translate>("translate",
                                                                         "moves it by a vector"),

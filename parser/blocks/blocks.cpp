@@ -10,19 +10,20 @@ namespace lancer {
 namespace blocks {
 
 const BlockInfo unite{
-    "union", "", {}, attribute_fields, "one body of several: all that any of them holds", true};
-const BlockInfo intersect{
-    "intersection", "", {}, attribute_fields, "one body of several: what all of them hold", true};
-const BlockInfo subtract{
-    "difference", "", {}, attribute_fields, "one body: the first without all that the others hold",
+    "union", "", {}, attribute_fields, "one body made of several: everything inside any of them",
     true};
+const BlockInfo intersect{"intersection",
+                          "",
+                          {},
+                          attribute_fields,
+                          "one body made of several: everything inside all of them",
+                          true};
+const BlockInfo subtract{
+    "difference", "", {}, attribute_fields, "one body: the first minus all others", true};
 
-const BlockInfo group{"group",
-                      "",
-                      {},
-                      attribute_fields,
-                      "objects, lights and statements that transforms move together",
-                      true};
+const BlockInfo group{
+    "group", "", {}, attribute_fields, "objects, lights and statements that share transforms",
+    true};
 
 }  // namespace blocks
 

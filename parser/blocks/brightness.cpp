@@ -19,11 +19,12 @@ void warn(Report& report, const SourceSpan& place, const Color& color) {
         Message::color_far_above_white, place,
         "[" + to_text(color.x) + ", " + to_text(color.y) + ", " + to_text(color.z) + "]");
     if (warning == nullptr) return;
-    warning->hint = counts_to_255(color)
-                        ? fmt::format("what counts to 255 is written #{:02x}{:02x}{:02x}",
-                                      static_cast<int>(color.x), static_cast<int>(color.y),
-                                      static_cast<int>(color.z))
-                        : "1 is white";
+    warning->hint =
+        counts_to_255(color)
+            ? fmt::format("1 is white; for values from 0 to 255 write #{:02x}{:02x}{:02x}",
+                          static_cast<int>(color.x), static_cast<int>(color.y),
+                          static_cast<int>(color.z))
+            : "1 is white";
 }
 
 }  // namespace

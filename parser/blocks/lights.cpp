@@ -22,30 +22,32 @@ struct LightSpec {
 };
 
 constexpr Field position =
-    field<&LightSpec::position, rules::Vector>("position", required, "where it stands");
+    field<&LightSpec::position, rules::Vector>("position", required, "its position");
 constexpr Field color =
     field<&LightSpec::color, rules::LightColor>("color", "[1, 1, 1]", "its colour and brightness");
 constexpr Field shadows = field<&LightSpec::shadows, rules::Flag>(
     "shadows", "true", "false: a fill light, without shadows and highlights");
 constexpr Field fade_distance = field<&LightSpec::fade_distance, rules::Positive>(
-    "fade_distance", "none", "where its light is what it would be without fading");
-constexpr Field fade_power =
-    field<&LightSpec::fade_power, rules::NotNegative>("fade_power", "2", "how fast it fades");
+    "fade_distance", "none", "the distance at which fading leaves the light as it is");
+constexpr Field fade_power = field<&LightSpec::fade_power, rules::NotNegative>(
+    "fade_power", "2", "exponent of the distance in the fading");
 
 constexpr Field point_fields[] = {position, color, fade_distance, fade_power, shadows};
-constexpr Field directional_fields[] = {field<&LightSpec::direction, rules::Direction>(
-                                            "direction", required, "the way its light travels"),
-                                        color, shadows};
+constexpr Field directional_fields[] = {
+    field<&LightSpec::direction, rules::Direction>("direction", required,
+                                                   "direction in which its light travels"),
+    color, shadows};
 constexpr Field spot_fields[] = {
     position,
-    field<&LightSpec::look_at, rules::Vector>("look_at", required, "what it is turned to"),
+    field<&LightSpec::look_at, rules::Vector>("look_at", required,
+                                              "the point in the middle of its cone"),
     color,
     field<&LightSpec::radius, rules::HalfAngle>("radius", "30",
                                                 "half-angle of the fully lit cone, degrees"),
     field<&LightSpec::falloff, rules::HalfAngle>("falloff", "45",
                                                  "half-angle where the light ends, degrees"),
-    field<&LightSpec::tightness, rules::NotNegative>("tightness", "0",
-                                                     "how much more light falls on the axis"),
+    field<&LightSpec::tightness, rules::NotNegative>(
+        "tightness", "0", "exponent that concentrates the light on the axis"),
     fade_distance,
     fade_power,
     shadows};
@@ -65,7 +67,7 @@ void add(BlockReader& block, const LightSpec& spec, const LightKind& kind) {
 
 const BlockInfo point_light{"light", "point", point_fields, {}, "shines from a point"};
 const BlockInfo directional_light{
-    "light", "directional", directional_fields, {}, "shines from far away, the same everywhere"};
+    "light", "directional", directional_fields, {}, "parallel light, the same everywhere"};
 const BlockInfo spot_light{"light", "spot", spot_fields, {}, "shines from a point within a cone"};
 
 void make_point_light(BlockReader& block, std::uint32_t&) {

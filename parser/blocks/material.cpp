@@ -28,31 +28,31 @@ constexpr Field of_material(std::string_view name, std::string_view standard,
 constexpr Field material_fields[] = {
     of_material<&MaterialSpec::surface, rules::ColorOrTextureRule>(
         "color", "[1, 1, 1]",
-        "the surface's colour, a texture, or vertex: the colours of a mesh's vertices"),
+        "colour of the surface, a texture, or vertex: the colours of a mesh's vertices"),
     of_material<&Material::ambient, rules::NotNegative>("ambient", "0.1",
                                                         "share of the global ambient light"),
     of_material<&Material::diffuse, rules::NotNegative>("diffuse", "0.6",
                                                         "share of the light that is scattered"),
-    of_material<&Material::emission, rules::NumberOrColor>("emission", "0",
-                                                           "its own light, times its colour"),
+    of_material<&Material::emission, rules::NumberOrColor>(
+        "emission", "0", "light from the surface itself, times its colour"),
     of_material<&Material::phong, rules::NotNegative>("phong", "0",
-                                                      "strength of Phong's highlight"),
+                                                      "strength of the Phong highlight"),
     of_material<&Material::shininess, rules::NotNegative>("shininess", "40",
-                                                          "exponent of Phong's highlight"),
+                                                          "exponent of the Phong highlight"),
     of_material<&Material::blinn, rules::NotNegative>("blinn", "0",
-                                                      "strength of Blinn's highlight"),
+                                                      "strength of the Blinn highlight"),
     of_material<&Material::roughness, rules::Positive>("roughness", "0.05",
-                                                       "1 / exponent of Blinn's highlight"),
-    of_material<&Material::metallic, rules::Share>("metallic", "0",
-                                                   "how much highlights take the surface's colour"),
+                                                       "1 / exponent of the Blinn highlight"),
+    of_material<&Material::metallic, rules::Share>(
+        "metallic", "0", "how much the surface's colour tints highlights"),
     of_material<&Material::reflection, rules::NumberOrColor>("reflection", "0",
                                                              "strength of the ideal mirror"),
     of_material<&Material::fresnel, rules::Flag>(
         "fresnel", "false", "true: reflection weighted by Fresnel's equations for ior"),
     of_material<&Material::transmission, rules::Share>("transmission", "0",
-                                                       "share that passes untinted"),
-    of_material<&Material::filter, rules::Share>("filter", "0",
-                                                 "share that passes tinted by the colour"),
+                                                       "share of light that passes untinted"),
+    of_material<&Material::filter, rules::Share>(
+        "filter", "0", "share of light that passes, tinted by the colour"),
     of_material<&Material::ior, rules::Positive>("ior", "1", "index of refraction"),
     of_material<&Material::absorption, rules::ColorRule>(
         "absorption", "[0, 0, 0]", "Beer-Lambert absorption inside, per unit of length"),
@@ -64,7 +64,7 @@ constexpr Field material_fields[] = {
 
 }  // namespace
 
-const BlockInfo material{"material", "", material_fields, {}, "what a surface looks like"};
+const BlockInfo material{"material", "", material_fields, {}, "the appearance of a surface"};
 
 void make_material(BlockReader& block, std::uint32_t& result) {
     MaterialSpec spec;

@@ -58,19 +58,20 @@ struct MeshSpec {
 
 constexpr Field mesh_fields[] = {
     field<&MeshSpec::file, rules::String>("file", "none", "an OBJ, PLY or STL file"),
-    field<&MeshSpec::vertices, rules::Points>("vertices", "none", "the places of its corners"),
+    field<&MeshSpec::vertices, rules::Points>("vertices", "none", "positions of the vertices"),
     field<&MeshSpec::faces, rules::Faces>(
-        "faces", "none", "for each face the indices, from 0, of its vertices in order"),
-    field<&MeshSpec::normals, rules::Points>("normals", "averages of the faces",
+        "faces", "none",
+        "for each face the indices of its vertices in order; the first vertex is 0"),
+    field<&MeshSpec::normals, rules::Points>("normals", "averages of the faces' normals",
                                              "a normal for each vertex"),
     field<&MeshSpec::uvs, rules::PlanePoints>("uvs", "none", "texture coordinates of each vertex"),
     field<&MeshSpec::colors, rules::Colors>("colors", "none",
                                             "a colour for each vertex, for 'color vertex'"),
-    field<&MeshSpec::smooth, rules::FlagOrAngle>("smooth", "true; of STL 40",
+    field<&MeshSpec::smooth, rules::FlagOrAngle>("smooth", "true; for STL 40",
                                                  "false: flat faces; an angle: edges sharper than "
                                                  "that stay sharp where no normals are given"),
     field<&MeshSpec::inside, rules::HasInside>(
-        "body", "whether it is closed", "true: has an inside in spite of gaps; false: has none"),
+        "body", "true if it is closed", "true: has an inside in spite of gaps; false: has none"),
 };
 
 std::string count_of(std::size_t count, std::string_view one, std::string_view more) {

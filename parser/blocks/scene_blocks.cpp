@@ -58,9 +58,8 @@ struct CameraSpec {
 
 constexpr Field file_fields[] = {
     field<&Scene::background, rules::ColorRule>("background", "[0, 0, 0]",
-                                                "what rays bring that hit nothing"),
-    field<&Scene::ambient, rules::ColorRule>("ambient", "[1, 1, 1]",
-                                             "light that comes from everywhere"),
+                                                "colour of rays that hit nothing"),
+    field<&Scene::ambient, rules::ColorRule>("ambient", "[1, 1, 1]", "light from all directions"),
 };
 constexpr Field image_fields[] = {
     field<&ImageSize::width, rules::PixelCount>("width", "640", "pixels"),
@@ -70,32 +69,37 @@ constexpr Field render_fields[] = {
     field<&Settings::max_depth, rules::Depth>("max_depth", "8",
                                               "levels of recursion; 1: primary rays only"),
     field<&Settings::min_contribution, rules::NotNegative>(
-        "min_contribution", "0.002", "a branch of less weight is not followed; 0: all are"),
+        "min_contribution", "0.002", "rays of less weight are not followed; 0: all are followed"),
     field<&Settings::samples, rules::Depth>("samples", "1",
                                             "n: n x n rays per pixel; 1: through its centre"),
     field<&Settings::sampling, rules::WordRule<Sampling>>(
-        "sampling", "grid", "where those rays go: a regular grid, or sobol points"),
-    field<&Settings::shadows, rules::Flag>("shadows", "true", "false: lights pass through all"),
+        "sampling", "grid",
+        "where these rays pass through the pixel: a regular grid, or Sobol points"),
+    field<&Settings::shadows, rules::Flag>("shadows", "true", "false: objects block no light"),
     field<&Settings::smooth, rules::Flag>("smooth", "true",
                                           "false: no interpolated normals, faster"),
-    field<&Settings::textures, rules::Flag>("textures", "true", "false: plain colours"),
+    field<&Settings::textures, rules::Flag>("textures", "true",
+                                            "false: plain colours instead of textures"),
     field<&Settings::tolerance, rules::Positive>(
-        "tolerance", "true surfaces", "how far a tessellated surface may be from the true one"),
+        "tolerance", "true surfaces",
+        "largest distance of a tessellated surface from the true one"),
 };
 constexpr Field quality_fields[] = {
     field<&QualityChoice::quality, rules::WordRule<Quality>>(
-        "quality", "none", "max_depth, min_contribution, samples and sampling at once"),
+        "quality", "none", "sets max_depth, min_contribution, samples and sampling together"),
 };
 constexpr Field camera_fields[] = {
-    field<&CameraSpec::position, rules::Vector>("position", required, "where it stands"),
+    field<&CameraSpec::position, rules::Vector>("position", required, "its position"),
     field<&CameraSpec::look_at, rules::Vector>("look_at", required,
-                                               "what is in the picture's middle"),
-    field<&CameraSpec::up, rules::Direction>("up", "[0, 1, 0]", "what is up in the picture"),
-    field<&CameraSpec::fov, rules::FieldOfView>("fov", "40", "full vertical angle, degrees"),
+                                               "the point in the middle of the picture"),
+    field<&CameraSpec::up, rules::Direction>("up", "[0, 1, 0]",
+                                             "direction that is up in the picture"),
+    field<&CameraSpec::fov, rules::FieldOfView>("fov", "40",
+                                                "full vertical angle of view, degrees"),
     field<&CameraSpec::projection, rules::WordRule<rules::ProjectionKind>>(
-        "projection", "perspective", "or orthographic"),
-    field<&CameraSpec::height, rules::Positive>("height", "none",
-                                                "of an orthographic picture, in scene units"),
+        "projection", "perspective", "or orthographic, for parallel rays"),
+    field<&CameraSpec::height, rules::Positive>(
+        "height", "none", "height of an orthographic picture, in scene units"),
 };
 
 using Extended = Vec3<long double>;
@@ -116,16 +120,16 @@ void warn_of_radians(BlockReader& block, double fov, double distance) {
     Diagnostic* warning =
         block.report().warning(Message::fov_of_radians, block.place("fov"), to_text(fov));
     if (warning != nullptr)
-        warning->hint = fmt::format("{} radians would be fov {:.0f}", to_text(fov),
-                                    fov * 180 / 3.141592653589793);
+        warning->hint = fmt::format("fov is in degrees: for {} radians write fov {:.0f}",
+                                    to_text(fov), fov * 180 / 3.141592653589793);
 }
 
 }  // namespace
 
-const BlockInfo file{"", "", file_fields, {}, "what stands in the file itself"};
+const BlockInfo file{"", "", file_fields, {}, "properties at file level"};
 const BlockInfo image{"image", "", image_fields, {}, "size of the picture"};
 const BlockInfo render{"render", "", render_fields, quality_fields,
-                       "how to render; the command line wins"};
+                       "how to render; options on the command line take precedence"};
 const BlockInfo camera{
     "camera", "", camera_fields, {}, "a point of view; the first is the default"};
 

@@ -9,12 +9,14 @@ namespace {
 constexpr Field sky_fields[] = {
     field<&Gradient::axis, rules::Direction>("gradient", required, "the axis, towards the stop 1"),
     field<&Gradient::stops, rules::Stops>(
-        "stops", required, "places with colours, from -1, where a ray goes against the axis, to 1"),
+        "stops", required,
+        "positions with colours, from -1, for rays against the axis, to 1, for rays along it"),
 };
 
 }  // namespace
 
-const BlockInfo sky{"sky", "", sky_fields, {}, "what rays bring that hit nothing, by direction"};
+const BlockInfo sky{
+    "sky", "", sky_fields, {}, "colour of rays that hit nothing, by their direction"};
 
 void make_sky(BlockReader& block, std::uint32_t&) {
     if (block.context().singles.is_second_sky(block.place())) return;

@@ -17,31 +17,31 @@ constexpr Field sphere_fields[] = {
     field<&Sphere::radius, rules::Positive>("radius", required, "its radius"),
 };
 constexpr Field box_fields[] = {
-    field<&Box::min, rules::Vector>("min", required, "the corner of least coordinates"),
-    field<&Box::max, rules::Vector>("max", required, "the corner of greatest coordinates"),
+    field<&Box::min, rules::Vector>("min", required, "the corner with the smallest coordinates"),
+    field<&Box::max, rules::Vector>("max", required, "the corner with the largest coordinates"),
 };
 constexpr Field cylinder_fields[] = {
     field<&Cylinder::base, rules::Vector>("base", required, "centre of one end"),
     field<&Cylinder::top, rules::Vector>("top", required, "centre of the other end"),
     field<&Cylinder::radius, rules::Positive>("radius", required, "its radius"),
-    field<&Cylinder::capped, rules::Flag>("capped", "true", "false: the mantle alone"),
+    field<&Cylinder::capped, rules::Flag>("capped", "true", "false: only the side, without caps"),
 };
 constexpr Field cone_fields[] = {
     field<&Cone::base, rules::Vector>("base", required, "centre of one end"),
     field<&Cone::top, rules::Vector>("top", required, "centre of the other end"),
     field<&Cone::base_radius, rules::NotNegative>("base_radius", required, "radius at the base"),
     field<&Cone::top_radius, rules::NotNegative>("top_radius", "0", "radius at the top"),
-    field<&Cone::capped, rules::Flag>("capped", "true", "false: the mantle alone"),
+    field<&Cone::capped, rules::Flag>("capped", "true", "false: only the side, without caps"),
 };
 constexpr Field torus_fields[] = {
     field<&Torus::radius, rules::Positive>("radius", required,
-                                           "of the circle that runs in the tube's middle"),
+                                           "radius of the circle in the middle of the tube"),
     field<&Torus::tube, rules::Positive>("tube", required,
                                          "radius of the tube, at most that of the circle"),
 };
 constexpr Field plane_fields[] = {
-    field<&Plane::normal, rules::Direction>("normal", required,
-                                            "perpendicular to it, away from its inside"),
+    field<&Plane::normal, rules::Direction>(
+        "normal", required, "perpendicular to the plane, pointing away from its inside"),
     field<&Plane::offset, rules::Number>("offset", "0", "its distance from the origin"),
 };
 constexpr Field triangle_fields[] = {

@@ -38,7 +38,7 @@ struct PatchSpec {
 };
 
 constexpr std::string_view tolerance_doc =
-    "how far a tessellation may be from the true surface, in scene units";
+    "largest distance of a tessellation from the true surface, in scene units";
 constexpr std::string_view tolerance_standard = "render's";
 
 constexpr Field patch_fields[] = {
@@ -48,18 +48,20 @@ constexpr Field patch_fields[] = {
     field<&PatchSpec::tolerance, rules::Positive>("tolerance", tolerance_standard, tolerance_doc),
 };
 constexpr Field lathe_fields[] = {
-    field<&Lathe::profile, rules::PlanePoints>("profile", required,
-                                               "points [radius, y] of the curve that is turned"),
-    field<&Lathe::spline, rules::WordRule<Spline>>("spline", "linear", "what the points mean"),
+    field<&Lathe::profile, rules::PlanePoints>(
+        "profile", required, "points [radius, y] of the curve that is turned round the y axis"),
+    field<&Lathe::spline, rules::WordRule<Spline>>("spline", "linear",
+                                                   "how the points define the curve"),
     field<&Lathe::tolerance, rules::Positive>("tolerance", tolerance_standard, tolerance_doc),
 };
 constexpr Field prism_fields[] = {
     field<&Prism::outline, rules::PlanePoints>("outline", required,
                                                "points [x, z] of the closed curve"),
-    field<&Prism::spline, rules::WordRule<Spline>>("spline", "linear", "what the points mean"),
+    field<&Prism::spline, rules::WordRule<Spline>>("spline", "linear",
+                                                   "how the points define the curve"),
     field<&Prism::bottom, rules::Number>("bottom", required, "least y"),
     field<&Prism::top, rules::Number>("top", required, "greatest y"),
-    field<&Prism::capped, rules::Flag>("capped", "true", "false: the mantle alone"),
+    field<&Prism::capped, rules::Flag>("capped", "true", "false: only the side, without caps"),
     field<&Prism::tolerance, rules::Positive>("tolerance", tolerance_standard, tolerance_doc),
 };
 
@@ -115,7 +117,7 @@ const BlockInfo patch{"patch", "", patch_fields, attribute_fields, "a curved sur
 const BlockInfo lathe{"lathe", "", lathe_fields, attribute_fields,
                       "a curve turned round the y axis"};
 const BlockInfo prism{"prism", "", prism_fields, attribute_fields,
-                      "a closed curve drawn up along y"};
+                      "a closed curve extruded along y"};
 
 void make_patch(BlockReader& block, std::uint32_t&) {
     PatchSpec spec;

@@ -63,17 +63,18 @@ struct TextureSpec {
 constexpr Field texture_fields[] = {
     field<&TextureSpec::image, rules::String>("image", "none", "file of an image"),
     field<&TextureSpec::mapping, rules::WordRule<ImageTexture::Mapping>>(
-        "mapping", "planar", "how the image is laid on: planar, spherical, cylindrical, uv"),
+        "mapping", "planar", "how the image is mapped: planar, spherical, cylindrical, uv"),
     field<&TextureSpec::filter, rules::WordRule<ImageTexture::Filter>>(
-        "filter", "bilinear", "between texels: nearest or bilinear"),
+        "filter", "bilinear", "interpolation of texels: nearest or bilinear"),
     field<&TextureSpec::wrap, rules::WordRule<ImageTexture::Wrap>>(
-        "wrap", "repeat", "repeat, or once: see-through outside"),
+        "wrap", "repeat", "repeat, or once: transparent outside"),
     field<&TextureSpec::color_space, rules::WordRule<io::ColorSpace>>(
-        "color_space", "srgb", "linear: take the image's numbers as they stand"),
-    field<&TextureSpec::checker, rules::TwoColors>("checker", "none", "two colours of unit cubes"),
+        "color_space", "srgb", "linear: use the image's values as they are"),
+    field<&TextureSpec::checker, rules::TwoColors>("checker", "none",
+                                                   "two colours that alternate between unit cubes"),
     field<&TextureSpec::gradient, rules::Direction>("gradient", "none",
                                                     "the axis along which the stops repeat"),
-    field<&TextureSpec::stops, rules::Stops>("stops", "none", "places from 0 to 1 with colours"),
+    field<&TextureSpec::stops, rules::Stops>("stops", "none", "positions from 0 to 1 with colours"),
     repeated_field<&TextureSpec::transforms, transform_rules::Translate>("translate",
                                                                          "moves it by a vector"),
     repeated_field<&TextureSpec::transforms, transform_rules::Scale>("scale",

@@ -41,7 +41,7 @@ std::string hint_for_value(const Field& field, const Value& value) {
     if (color && value.is(Value::Kind::text)) return habits::color_called(value.text());
     if (color && value.is_number()) {
         const std::string part = to_text(std::abs(value.number()));
-        return "a grey is written [" + part + ", " + part + ", " + part + "]";
+        return "write a grey as [" + part + ", " + part + ", " + part + "]";
     }
     if (field.name == "rotate" && value.is_vector(3)) {
         // In this order, as other programs turn.
@@ -49,11 +49,11 @@ std::string hint_for_value(const Field& field, const Value& value) {
         for (unsigned i = 0; i < 3; ++i)
             if (value.component(i) != 0)
                 turns += std::string(" rotate_") + "xyz"[i] + " " + to_text(value.component(i));
-        return "angles about the axes, one after the other, are written" +
+        return "for angles about the axes, one after the other, write" +
                (turns.empty() ? " rotate_x 0" : turns);
     }
     if (field.name == "rotate" && value.is_number())
-        return "about one of the axes: rotate_y " + to_text(value.number());
+        return "for an angle about one axis write rotate_y " + to_text(value.number());
     return {};
 }
 

@@ -18,7 +18,7 @@ void warn_of_degrees(const ast::Step& call, const SourceSpan& place, std::string
     const std::string degrees = to_text(angle);
     Diagnostic* warning = report.warning(Message::angle_of_degrees, place, function, degrees);
     if (warning != nullptr)
-        warning->hint = "of degrees: " + std::string(function) + "(radians(" + degrees + "))";
+        warning->hint = "for degrees write " + std::string(function) + "(radians(" + degrees + "))";
 }
 
 }  // namespace

@@ -76,7 +76,8 @@ void Files::report_unreadable(const std::string& path, const SourceSpan& place,
                               const std::string& problem) const {
     Diagnostic* error = context_.report.error(Message::file_unreadable, place, problem);
     if (error != nullptr && path.find_first_of("\n\t") != std::string::npos)
-        error->hint = "'\\n' and '\\t' in a string are a new line and a tab: write '/', or '\\\\'";
+        error->hint =
+            "in a string '\\n' is a new line and '\\t' a tab: write '/' or '\\\\' in file names";
 }
 
 }  // namespace lancer

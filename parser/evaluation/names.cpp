@@ -79,7 +79,7 @@ void Names::report_undefined(Message message, const SourceSpan& place, Symbol na
         error->notes.insert(
             error->notes.begin(),
             Report::note(is_later ? Message::defined_later : Message::defined_elsewhere, later));
-        if (is_later) error->hint = "a name is defined before its use";
+        if (is_later) error->hint = "a name must be defined before it is used";
         return;
     }
     if (std::string color = habits::color_called(word); !color.empty() && !functions) {

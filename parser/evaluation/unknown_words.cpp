@@ -31,7 +31,7 @@ std::string_view report_unknown_property(const ast::File& file, const ast::State
         const std::string_view instead = habits::instead_of(word);
         error->hint = !suggestion.empty() ? suggestion.hint()
                       : of_material
-                          ? "'" + std::string(word) + "' belongs to a material: material { " +
+                          ? "'" + std::string(word) + "' is a property of materials: material { " +
                                 std::string(word) + " ... }"
                       : instead.empty() ? with_article(title) + " has " + all
                                         : std::string(instead);
@@ -101,11 +101,11 @@ void report_unknown_block(const ast::File& file, const ast::Statement& block, co
             suggestion.consider(light ? known.info->kind : known.info->keyword);
     error->hint = suggestion.hint();
     if (names.scopes().find_callable(wrong) != nullptr) {
-        error->hint = "'" + word + "' is called: " + word + "(...)";
+        error->hint = "'" + word + "' is a template, call it: " + word + "(...)";
     } else if (const std::string_view instead = habits::instead_of(word); !instead.empty()) {
         error->hint = instead;
     } else if (suggestion.empty()) {
-        error->hint = light ? "lights are point, directional and spot"
+        error->hint = light ? "use point, directional or spot"
                             : "the blocks are " + list_of_blocks(vocabulary);
     }
 }

@@ -58,7 +58,8 @@ std::string why_not_comparable(const Image& a, const Image& b, const PixelMask& 
         return fmt::format("the mask has another size: {} x {}, and the pictures {} x {}",
                            counted.width, counted.height, a.width, a.height);
     }
-    if (counted_pixels(counted, pixels_of(a)) == 0) return "the mask is black: it leaves no pixel";
+    if (counted_pixels(counted, pixels_of(a)) == 0)
+        return "the mask is black: no pixel is left to compare";
     const std::vector<std::size_t> bad_a = non_finite_values(a, counted);
     const std::vector<std::size_t> bad_b = non_finite_values(b, counted);
     found.non_finite_a = bad_a.size();

@@ -20,7 +20,7 @@ std::string channel_name(int channel, int channels) {
 
 std::string curves_note(const Comparison& c) {
     if (c.curve_a.empty() || c.curve_b.empty() || c.curve_a == c.curve_b) return {};
-    return fmt::format("{} against {}: the same number in the two files is another value",
+    return fmt::format("{} against {}: the same number means different values in the two files",
                        c.curve_a, c.curve_b);
 }
 
@@ -49,8 +49,8 @@ std::string to_text(const Comparison& c, const CompareOptions& options) {
                         c.over * 100, options.fail, options.fail_percent);
     if (c.over_at_edges > 0) {
         text += fmt::format(
-            "  edges   {} of these {} pixels: an edge lies up to a pixel elsewhere{}\n",
-            c.over_at_edges, c.pixels_over, options.edges_may_move ? ", which may be" : "");
+            "  edges   {} of these {} pixels: an edge is displaced by up to a pixel{}\n",
+            c.over_at_edges, c.pixels_over, options.edges_may_move ? ", which is allowed" : "");
     }
     if (const Window& w = c.densest; w.flagged > 0) {
         text += fmt::format("  densest {} of {} x {} pixels from ({}, {}) on are over, {:.4g} %",

@@ -120,7 +120,7 @@ void write_light(Writer& writer, const Light& light) {
     // `spotlight` and `shadowless` are two values of one setting there: the later word wins.
     if (!light.shadows && std::holds_alternative<SpotLight>(light.kind))
         writer.refuse(light.place, "POV-Ray's lights without shadows have no cone",
-                      "give the spot light shadows, or make it a point light");
+                      "give the spot light shadows, or use a point light");
     writer.text.open("light_source {");
     std::visit(LightWriter{writer, rgb(writer.lit(light.color))}, light.kind);
     if (!light.shadows) writer.text.line("shadowless");

@@ -55,11 +55,10 @@ class Search {
         find_refraction();
         find_recursion();
         find_sizes();
-        add(Rule::patch_facets, "POV-Ray draws a patch as flat triangles under mixed normals",
+        add(Rule::patch_facets, "POV-Ray draws a patch as flat triangles with interpolated normals",
             all([](const Traits& t) { return t.patch; }));
         add(Rule::coincident_surfaces,
-            "where surfaces coincide POV-Ray finds one of them by no rule; Lancer resolves them "
-            "together",
+            "where surfaces coincide, POV-Ray shows any one of them; Lancer resolves them together",
             in_one_place(coincidences));
         return std::move(found_);
     }
@@ -137,8 +136,8 @@ class Search {
 
     void find_absorption() {
         add(Rule::absorption_inside,
-            "POV-Ray dims by absorption what passes through the far surface of a body, not what "
-            "that surface itself shows or mirrors to the inside",
+            "inside a body, POV-Ray applies absorption to light that passes through the far "
+            "surface, but not to what that surface itself shows or mirrors",
             all([](const Traits& t) {
                 const Material& m = *t.material;
                 const bool clear = m.filter + m.transmission >= 1 && m.texture == none;
@@ -146,20 +145,19 @@ class Search {
                        !(clear && m.reflection == Color(0, 0, 0) && m.phong == 0 && m.blinn == 0);
             }));
         add(Rule::absorption_nested,
-            "POV-Ray leaves out the absorption of a stretch that ends on another object",
+            "POV-Ray leaves out the absorption along a ray that ends on another object",
             all([this](const Traits& t) {
                 return t.absorbs && meets_another(t, [](const Traits&) { return true; });
             }));
         add(Rule::absorption_smooth,
-            "where a smooth mesh bends or mirrors a ray to the wrong side of a facet, POV-Ray goes "
-            "by "
-            "what the ray did, Lancer by where it is",
+            "where a smooth mesh refracts or mirrors a ray to the wrong side of a facet, POV-Ray "
+            "chooses the medium by what happened to the ray, Lancer by the side where the ray is",
             all([](const Traits& t) { return t.absorbs && t.smooth; }));
         const bool fading = std::any_of(objects_.begin(), objects_.end(),
                                         [](const Traits& t) { return t.absorbs; });
         add(Rule::light_from_behind,
             "a shadow ray to a light behind the surface starts in the viewer's medium in POV-Ray, "
-            "in the one behind the surface in Lancer",
+            "but in the medium behind the surface in Lancer",
             all([&](const Traits& t) {
                 return fading && t.body && t.passes && t.material->diffuse_transmission > 0;
             }));
@@ -175,9 +173,8 @@ class Search {
 
     void find_refraction() {
         add(Rule::fresnel_nested,
-            "on leaving a body for another one that it is in POV-Ray's Fresnel term takes the "
-            "body's "
-            "own index for both sides and mirrors nothing",
+            "where a ray leaves a body that is inside of another one, POV-Ray's Fresnel term takes "
+            "the inner body's index for both sides and mirrors nothing",
             all([this](const Traits& t) {
                 return is_passed_body(t) && t.material->fresnel &&
                        t.material->reflection != Color(0, 0, 0) && meets_another(t, is_passed_body);
@@ -211,12 +208,12 @@ class Search {
             });
         if (takes_levels)
             add(Rule::depth_limit,
-                "on the last level POV-Ray shows nothing through a surface, not even straight "
-                "through",
+                "on the last level of recursion POV-Ray shows nothing through a surface, even "
+                "where light is not bent",
                 all([this](const Traits& t) { return t.passes && may_pass_straight(t); }));
         if (settings.min_contribution > 0)
             add(Rule::contribution,
-                "POV-Ray's adc_bailout also drops what passes a surface by the grey value of its "
+                "POV-Ray's adc_bailout also cuts rays through a surface by the grey value of its "
                 "transmission; set min_contribution 0 to compare",
                 std::move(branching));
     }

@@ -39,9 +39,10 @@ std::string image_file_words(Writer& writer, std::uint32_t index, const SourceSp
     const std::vector<double>& values = image.pixels->data;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     if (*low < 0 || *high > 1)
-        writer.refuse(
-            where, "the image '" + image.path + "' holds values outside 0 to 1, which no PNG can",
-            "scale the image's values and the lights instead");
+        writer.refuse(where,
+                      "the image '" + image.path +
+                          "' contains values outside 0 to 1, which a PNG cannot store",
+                      "scale the image's values and the lights instead");
     PngFile file = encoded(image, false);
     const char* gamma = "srgb";
     if (file.error > rounding_of_values) {  // linear: half a step off at worst

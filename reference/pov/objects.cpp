@@ -20,8 +20,8 @@ bool open_object(Writer& writer, std::uint32_t index) {
         shines_through = shines_through || scene.materials[part.material].phong_transmission > 0;
     });
     if (shines_through) {
-        writer.refuse(object.place, "POV-Ray has no highlight of light from behind",
-                      "leave 'phong_transmission' out of the material to export the scene");
+        writer.refuse(object.place, "POV-Ray has no highlights from light behind a surface",
+                      "remove 'phong_transmission' from the material to export the scene");
         return false;
     }
     const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);

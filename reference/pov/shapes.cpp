@@ -140,7 +140,7 @@ struct UvWriter {
         }
         if (!is_mapped(mesh))
             writer.refuse(object.place, "some faces of this mesh have no uvs",
-                          "give all of them uvs, or none");
+                          "give uvs to all of its faces, or to none");
         native();
     }
     void operator()(const PatchRef&) const { native(); }

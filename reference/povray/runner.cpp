@@ -45,7 +45,7 @@ std::string program_to_use() {
     const char* named = std::getenv("LANCER_POVRAY");
     if (!named || !*named) return program_in_path();
     if (!is_program(named))
-        throw FileError(fmt::format("LANCER_POVRAY names '{}', which is not a program", named));
+        throw FileError(fmt::format("LANCER_POVRAY is set to '{}', which is not a program", named));
     return fs::absolute(named).string();
 }
 

@@ -138,7 +138,8 @@ TEST(ErrorTarget, WhatCannotBeReachedIsRefusedBeforehand) {
         rendered(hall, 0.01, 0, {2, {}});
         FAIL() << "two levels of a hall of mirrors are not enough";
     } catch (const Unreachable& refused) {
-        EXPECT_NE(std::string(refused.what()).find("costs an RMSE of 0."), std::string::npos);
+        EXPECT_NE(std::string(refused.what()).find("already makes an RMSE of 0."),
+                  std::string::npos);
     }
     const PlainRenderer checker(plain_picture("checker"));
     try {

@@ -126,7 +126,7 @@ TEST_F(MaxError, WhatCannotBeReachedIsRefusedWithoutAPicture) {
     }
     EXPECT_THAT(render({"--max-error", "0.00001"}).err, HasSubstr("can be reached"));
     EXPECT_THAT(render({"--max-error", "0.01", "--no-shadows"}).err,
-                HasSubstr("what they leave out costs"));
+                HasSubstr("what they leave out already makes"));
 }
 
 TEST_F(MaxError, AShareOfPixelsOffIsHeldAndToldAndWritten) {
@@ -172,7 +172,7 @@ TEST_F(MaxError, HoldsForFramesAndCrops) {
 TEST_F(MaxError, PassesGiveTheSameBytesForAnyNumberOfThreads) {
     ASSERT_EQ(render({"--passes", "14", "--threads", "1", "-o", "a.exr"}).code, 0);
     const Finished finished = render({"--passes", "14", "--threads", "3", "-o", "b.exr"});
-    EXPECT_THAT(finished.out, HasSubstr("; --passes 14 makes it again"));
+    EXPECT_THAT(finished.out, HasSubstr("; --passes 14 makes the same picture again"));
     EXPECT_EQ(place_.read("a.exr"), place_.read("b.exr"));
     EXPECT_THAT(place_.read("a.exr"), HasSubstr("lancer:passes"));
     ASSERT_EQ(render({"--passes", "15", "-o", "b.exr"}).code, 0);

@@ -76,7 +76,7 @@ TEST_F(Export, NeverReplacesWhatSomebodyElseWroteOrChanged) {
         place_.write(name, bytes);
         const Finished finished = export_to("out/a.pov", {"-D", "size=0.3"});
         EXPECT_EQ(finished.code, 2);
-        EXPECT_THAT(finished.err, HasSubstr("'" + name + "' is there already"));
+        EXPECT_THAT(finished.err, HasSubstr("'" + name + "' exists and is not as"));
         EXPECT_THAT(finished.err, HasSubstr("--force"));
         EXPECT_EQ(place_.read(name), bytes);
         EXPECT_EQ(place_.read(other), other_bytes) << "all or nothing";
@@ -108,7 +108,7 @@ TEST_F(Export, SparesTheImagesThatTheSceneShows) {
     for (const char* how : {"-q", "--force"}) {
         const Finished finished = export_to("a.pov", {how});
         EXPECT_EQ(finished.code, 2);
-        EXPECT_THAT(finished.err, HasSubstr("'a-0.png' would be written over 'a-0.png'"));
+        EXPECT_THAT(finished.err, HasSubstr("'a-0.png' would overwrite 'a-0.png'"));
     }
     EXPECT_EQ(place_.read("a-0.png"), image);
     EXPECT_FALSE(place_.exists("a.pov"));

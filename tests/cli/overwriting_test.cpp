@@ -69,7 +69,7 @@ const std::vector<std::string> all_inputs{"a.lancer",      "part.lancer", "mesh.
 TEST_F(Overwriting, StatisticsSpareAllThatTheSceneReads) {
     for (const std::string& name : all_inputs) {
         refused({"render", "a.lancer", "-o", "new.png", "--stats", name},
-                "'" + name + "' would be written over");
+                "'" + name + "' would overwrite");
     }
     refused({"render", "a.lancer", "-o", "new.png", "--stats", "new.png"},
             "'new.png' would be written twice, for -o and for --stats");
@@ -80,9 +80,9 @@ TEST_F(Overwriting, StatisticsSpareAllThatTheSceneReads) {
 
 TEST_F(Overwriting, PicturesSpareAllThatTheSceneReads) {
     for (const char* name : {"image.png", "here/image.png", "link.png", "hard.png", "paint.png"})
-        refused({"render", "a.lancer", "-o", name}, "would be written over");
+        refused({"render", "a.lancer", "-o", name}, "would overwrite");
     refused({"render", "a.lancer", "-o", "image%d.png", "--frames", "1..3", "--stats", "mesh.obj"},
-            "'mesh.obj' would be written over 'mesh.obj', which is read");
+            "'mesh.obj' would overwrite 'mesh.obj', which is an input");
 }
 
 TEST_F(Overwriting, FramesSpareEachOther) {
@@ -103,15 +103,15 @@ TEST_F(Overwriting, NoFrameReplacesWhatAnotherOneShows) {
 
 TEST_F(Overwriting, StabilitySparesAllThatTheSceneReads) {
     for (const std::string& name : all_inputs)
-        refused({"stability", "a.lancer", "--no-povray", "--json", name}, "would be written over");
+        refused({"stability", "a.lancer", "--no-povray", "--json", name}, "would overwrite");
     refused({"stability", "a.lancer", "--no-povray", "--json", "s.svg", "--plot", "s.svg"},
             "written twice, for --json and for --plot");
 }
 
 TEST_F(Overwriting, ValidationSparesAllThatTheScenesRead) {
     for (const std::string& name : all_inputs)
-        refused({"validate", "a.lancer", "--json", name}, "would be written over");
-    refused({"validate", "a.lancer", "--json", "a.expect"}, "would be written over");
+        refused({"validate", "a.lancer", "--json", name}, "would overwrite");
+    refused({"validate", "a.lancer", "--json", "a.expect"}, "would overwrite");
     place_.write("b.lancer", small_scene());
     EXPECT_EQ(place_.run({"validate", "a.lancer", "b.lancer", "--json", "b.lancer"}).code, 2);
     EXPECT_EQ(place_.read("b.lancer"), small_scene());
@@ -129,8 +129,8 @@ TEST_F(Overwriting, AComparisonSparesBothSides) {
     place_.write("b.png", place_.read("image.png"));
     remember();
     for (const char* name : {"image.png", "b.png", "hard.png", "here/b.png"}) {
-        refused({"compare", "image.png", "b.png", "-o", name}, "would be written over");
-        refused({"compare", "image.png", "b.png", "--json", name}, "would be written over");
+        refused({"compare", "image.png", "b.png", "-o", name}, "would overwrite");
+        refused({"compare", "image.png", "b.png", "--json", name}, "would overwrite");
     }
     refused({"compare", "image.png", "b.png", "-o", "c.png", "--json", "c.png"}, "written twice");
     for (const char* folder : {"one", "two"}) {
@@ -146,12 +146,13 @@ TEST_F(Overwriting, AComparisonSparesBothSides) {
 TEST_F(Overwriting, StandardInputAndOutputAreFilesToo) {
     // Standard input of `refused` is a file of the test's own.
     const std::string in = place_.path("../said/in");
-    refused({"render", "-", "-o", "new.png", "--stats", in}, "over standard input, which is read");
+    refused({"render", "-", "-o", "new.png", "--stats", in},
+            "overwrite standard input, which is an input");
     place_.write("../said/out", "");
     fs::create_hard_link(place_.path("../said/out"), place_.path("out.lancer"));
     const Finished finished = place_.run({"check", "out.lancer"});
     EXPECT_EQ(finished.code, 2) << finished.err;
-    EXPECT_THAT(finished.err, HasSubstr("standard output would be written over 'out.lancer'"));
+    EXPECT_THAT(finished.err, HasSubstr("standard output would overwrite 'out.lancer'"));
 }
 
 TEST_F(Overwriting, DevicesTakeWhatTheyAreGiven) {

@@ -147,7 +147,7 @@ TEST_F(Parts, DoNotFailByTheirErrorAndTheJoinedPictureDoes) {
     draw_all(2, options);
     const Finished joined = join("out.png", 2);
     EXPECT_EQ(joined.code, 1) << joined.out << joined.err;
-    EXPECT_THAT(joined.out, HasSubstr("the error cannot be told"));
+    EXPECT_THAT(joined.out, HasSubstr("the error is not known"));
     EXPECT_TRUE(place_.exists("out.png"));
 }
 
@@ -184,7 +184,7 @@ TEST_F(Parts, ThatAreMissingAreNamed) {
     ASSERT_EQ(draw(1, 7).code, 0);
     ASSERT_EQ(draw(3, 7).code, 0);
     refused(place_.run({"join", "p1.exr", "p3.exr", "-o", "out.png"}), 75,
-            "of 7 parts these are missing: 2, 4 to 7");
+            "of 7 parts, these are missing: 2, 4 to 7");
 }
 
 TEST_F(Parts, OfOtherPicturesAreRefused) {
@@ -215,13 +215,13 @@ TEST_F(Parts, ThatAreDamagedAreRefused) {
     std::string bytes = place_.read("p2.exr");
     bytes[bytes.size() - 5] = static_cast<char>(bytes[bytes.size() - 5] ^ 1);
     place_.write("p2.exr", bytes);
-    refused(join("out.png", 2), 4, "'p2.exr' is damaged: draw this part again");
+    refused(join("out.png", 2), 4, "'p2.exr' is damaged: render this part again");
     refused(join("out.exr", 2), 4, "'p2.exr' is damaged", "out.exr");
     place_.write("p2.exr", bytes.substr(0, bytes.size() / 2));
     refused(join("out.png", 2), 4, "'p2.exr' is damaged");
     place_.write("p2.exr", "no picture");
     refused(join("out.png", 2), 4, "'p2.exr' is no part of a picture");
-    refused(join("p1.exr", 2), 2, "'p1.exr' would be written over 'p1.exr', which is read",
+    refused(join("p1.exr", 2), 2, "'p1.exr' would overwrite 'p1.exr', which is an input",
             "out.png");
 }
 
@@ -231,12 +231,12 @@ TEST_F(Parts, WrongUse) {
         {{"--part", "4/3"}, "there is no part 4 of 3"},
         {{"--part", "1/0"}, "expected K/N"},
         {{"--part", "three"}, "expected K/N"},
-        {{"--part", "1/3", "--time", "1"}, "--part goes with no --time"},
-        {{"--part", "1/3", "--passes", "3"}, "--part goes with no --passes"},
-        {{"--part", "1/3", "--max-error", "1e-6"}, "rays a pixel in this part; about "},
+        {{"--part", "1/3", "--time", "1"}, "--part cannot be used with --time"},
+        {{"--part", "1/3", "--passes", "3"}, "--part cannot be used with --passes"},
+        {{"--part", "1/3", "--max-error", "1e-6"}, "rays per pixel in this part; about "},
         {{"--part", "1/3", "-o", "a.png"}, "--part needs an .exr file"},
-        {{"--part", "1/3", "--bits", "16"}, "--bits and --linear go with join"},
-        {{"--part", "1/49"}, "no more parts than rows"},
+        {{"--part", "1/3", "--bits", "16"}, "give --bits and --linear to join"},
+        {{"--part", "1/49"}, "cannot have more parts than rows"},
         {{"--resume", "--time", "1"}, "--resume cannot know"},
         {{"--resume", "-o", "a.jpg"}, "--resume needs a .png or .exr file"}};
     for (const auto& [options, message] : cases) {
@@ -289,9 +289,9 @@ TEST_F(Resume, APartIsDrawnOnceAndAgainWhenSomethingHasChanged) {
     const std::string first = place_.read("p1.exr");
     EXPECT_THAT(draw(1, 2, options).out, HasSubstr("kept p1.exr"));
     EXPECT_TRUE(first == place_.read("p1.exr"));
-    EXPECT_THAT(draw(1, 3, options).err, HasSubstr("p1.exr is drawn again: it is part 1 of 2"));
+    EXPECT_THAT(draw(1, 3, options).err, HasSubstr("p1.exr is rendered again: it is part 1 of 2"));
     EXPECT_THAT(draw(1, 3, {"--resume", "--samples", "2"}).err,
-                HasSubstr("p1.exr is drawn again: it is of other options"));
+                HasSubstr("p1.exr is rendered again: it is of other options"));
     place_.write("p1.exr", place_.read("p1.exr").substr(0, 5000));
     EXPECT_THAT(draw(1, 2, options).err, HasSubstr("is damaged"));
     EXPECT_TRUE(first == place_.read("p1.exr"));
@@ -312,12 +312,12 @@ TEST_F(Resume, FramesAreKeptUntilTheSceneOrAFileOfItChanges) {
     place_.write("f-2.png", damaged);
     const Finished mended = render(animation);
     EXPECT_THAT(mended.out, HasSubstr("wrote 2 pictures, kept 2,"));
-    EXPECT_THAT(mended.err, HasSubstr("f-2.png is drawn again: it is damaged"));
+    EXPECT_THAT(mended.err, HasSubstr("f-2.png is rendered again: it is damaged"));
     EXPECT_TRUE(place_.read("f-3.png") == third);
     place_.write("part.lancer", "sphere { radius 0.2 center [0, 1, frame / 9] }\n");
     const Finished changed = render(animation);
     EXPECT_THAT(changed.out, HasSubstr("wrote 4 pictures,"));
-    EXPECT_THAT(changed.err, HasSubstr("f-4.png is drawn again: it is of another scene"));
+    EXPECT_THAT(changed.err, HasSubstr("f-4.png is rendered again: it is of another scene"));
 }
 
 TEST_F(Resume, APictureWithoutResumeKeepsItsBytes) {
@@ -326,7 +326,7 @@ TEST_F(Resume, APictureWithoutResumeKeepsItsBytes) {
     EXPECT_THAT(place_.read("plain.png"), Not(HasSubstr("lancer:origin")));
     EXPECT_EQ(place_.image("plain.png").data, place_.image("told.png").data);
     EXPECT_THAT(render({"-o", "plain.png", "--resume"}).err,
-                HasSubstr("it is damaged, or no run with --resume wrote it"));
+                HasSubstr("it is damaged, or was not written by a run with --resume"));
 }
 
 TEST(Killed, PartsAndFramesAtAnyMomentAndResumed) {

@@ -80,7 +80,7 @@ TEST(PictureFiles, ThatCostTooMuchAreErrorsThatNameTheLimit) {
     place.write("scene.lancer", wall("large.exr", 4, 4));
     const Finished checked = place.run({"check", "scene.lancer", "--limit-picture-memory", "8"});
     EXPECT_EQ(checked.code, 3);
-    EXPECT_THAT(checked.err, HasSubstr("8 MiB allowed (--limit-picture-memory)"));
+    EXPECT_THAT(checked.err, HasSubstr("allowed 8 MiB (--limit-picture-memory)"));
     EXPECT_EQ(place.run({"check", "scene.lancer"}).code, 0);
     const Finished compared =
         place.run({"compare", "large.exr", "large.exr", "--limit-picture-memory", "8"});

@@ -56,16 +56,17 @@ TEST_F(Probe, TellsWhatTheRayMeetsAndWhatEachLightLoses) {
     EXPECT_EQ(finished.err, "");
     const std::string& text = finished.out;
     EXPECT_THAT(text, HasSubstr("pixel 20,15 of 40x30, camera main: ["));
-    EXPECT_THAT(text, HasSubstr("it meets the outside of box (pane.lancer:10:1)"));
+    EXPECT_THAT(text, HasSubstr("it hits the outside of box (pane.lancer:10:1)"));
     EXPECT_THAT(text, HasSubstr("behind it, inside of box (pane.lancer:10:1)"));
-    EXPECT_THAT(text, HasSubstr("it meets the outside of plane \"wall\" (pane.lancer:9:1)"));
-    EXPECT_THAT(text, HasSubstr("material pane: color [1, 0.5, 0.25], lets pass [0.8, 0.4, 0.2]"));
+    EXPECT_THAT(text, HasSubstr("it hits the outside of plane \"wall\" (pane.lancer:9:1)"));
+    EXPECT_THAT(text,
+                HasSubstr("material pane: color [1, 0.5, 0.25], lets through [0.8, 0.4, 0.2]"));
     // Out of the pane and into it: twice what it lets pass.
-    EXPECT_THAT(text, HasSubstr("box (pane.lancer:10:1) lets pass [0.8, 0.4, 0.2]"));
-    EXPECT_THAT(text, HasSubstr("arrives [0.64, 0.16, 0.04]"));
+    EXPECT_THAT(text, HasSubstr("box (pane.lancer:10:1) lets through [0.8, 0.4, 0.2]"));
+    EXPECT_THAT(text, HasSubstr(", [0.64, 0.16, 0.04] arrives and adds ["));
     EXPECT_THAT(text, HasSubstr("blocked by sphere \"lid\" (pane.lancer:11:1)"));
     EXPECT_THAT(text, HasSubstr("not followed: its weight 0.005 is below min_contribution 0.01"));
-    EXPECT_THAT(text, HasSubstr("ends: nothing comes through that surface"));
+    EXPECT_THAT(text, HasSubstr("ends: this surface lets nothing through"));
 }
 
 TEST_F(Probe, NamesThePartOfAComposite) {
@@ -89,14 +90,14 @@ TEST_F(Probe, WritesJsonWithTheColoursOfThePicture) {
 
 TEST_F(Probe, TellsWhichRayOfSeveralItShows) {
     const Finished middle = probe({"20,15", "--samples", "3"});
-    EXPECT_THAT(middle.out, HasSubstr("ray 5 of the 9 that it is the mean of"));
+    EXPECT_THAT(middle.out, HasSubstr("ray 5 of the 9 whose mean it is"));
     EXPECT_THAT(middle.out, HasSubstr("through 20.5,15.5 of the picture"));
     const Finished first = probe({"20,15", "--samples", "3", "--sample", "1"});
     EXPECT_THAT(first.out, HasSubstr("ray 1 of the 9"));
     const Finished beyond = probe({"20,15", "--samples", "3", "--sample", "10"});
     EXPECT_EQ(beyond.code, 2);
     EXPECT_THAT(beyond.err, HasSubstr("--sample 10: the pixel has 9 rays"));
-    EXPECT_THAT(probe({"20,15"}).out, Not(HasSubstr("the mean of")));
+    EXPECT_THAT(probe({"20,15"}).out, Not(HasSubstr("whose mean")));
 }
 
 TEST_F(Probe, RefusesPixelsThatAreNotThere) {
@@ -107,7 +108,7 @@ TEST_F(Probe, RefusesPixelsThatAreNotThere) {
     for (const char* wrong : {"20", "20,", "20,x", "20;15", "1,2,3", "99999999999,1"}) {
         const Finished finished = probe({wrong});
         EXPECT_EQ(finished.code, 2) << wrong;
-        EXPECT_THAT(finished.err, HasSubstr("is no pixel: expected X,Y")) << wrong;
+        EXPECT_THAT(finished.err, HasSubstr("is not a pixel: expected X,Y")) << wrong;
     }
     EXPECT_EQ(probe({}).code, 2);
 }

@@ -109,7 +109,7 @@ TEST_F(Render, TheCommandLineDefinesParams) {
     EXPECT_EQ(render({"-D", "size=1/0"}).code, 2);
     const Finished block = render({"-D", "size=material { color 1 }"});
     EXPECT_EQ(block.code, 2);
-    EXPECT_THAT(block.err, HasSubstr("a material or texture stands in the script"));
+    EXPECT_THAT(block.err, HasSubstr("a material or texture cannot be given here"));
     EXPECT_EQ(render({"-D", "size=0.1", "-D", "b=[texture { checker [1, 1, 1] [0, 0, 0] }]"}).code,
               2);
     EXPECT_EQ(render({"-D", "size"}).code, 2);
@@ -131,7 +131,7 @@ TEST_F(Render, NoOutputIsWrittenOverWhatIsReadOrOverAnother) {
     place_.write("a.lancer", scene + "texture t { image \"a.png\" }\n");
     const Finished finished = render({});  // to a.png, by default
     EXPECT_EQ(finished.code, 2);
-    EXPECT_THAT(finished.err, HasSubstr("'a.png' would be written over 'a.png'"));
+    EXPECT_THAT(finished.err, HasSubstr("'a.png' would overwrite 'a.png'"));
     EXPECT_EQ(place_.read("a.png"), picture);
 }
 

@@ -41,9 +41,9 @@ TEST_F(Sweep, WrongUseIsToldAndNothingWritten) {
         refused({"--part", "3/2"}, 2, "there is no part 3 of 2", cache);
         refused({"--part", "0/2"}, 2, "there is no part 0 of 2", cache);
         refused({"--part", "half"}, 2, "expected K/N", cache);
-        refused({"--part", "1/2", "--no-cache"}, 2, "leave --no-cache out", cache);
+        refused({"--part", "1/2", "--no-cache"}, 2, "remove --no-cache", cache);
         refused({"--part", "1/2", "--json", "all.json"}, 2,
-                "--json tells of all scenes: the last run, without --part, writes it", cache);
+                "--json is about all scenes: write it by a last run without --part", cache);
         // Whoever runs the tests may write everywhere but where there is no folder.
         refused({"--part", "1/2"}, 4, "cannot write the cache", place_.path("a.lancer/cache"));
         refused({"--part", "1/2"}, 4, "cannot write the cache", "/proc/lancer");

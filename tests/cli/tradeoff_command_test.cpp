@@ -104,7 +104,7 @@ TEST_F(TradeOffCommand, WrongUseIsTwo) {
     EXPECT_EQ(big.code, 2);
     EXPECT_THAT(
         big.err,
-        HasSubstr("--budget 0.1 is too short for a.lancer: even a truth and one setting take"));
+        HasSubstr("--budget 0.1 is too short for a.lancer: even the truth and one setting take"));
     EXPECT_EQ(place_.read("a.lancer"), small_scene());
 }
 
@@ -120,7 +120,7 @@ TEST_F(TradeOffCommand, TheReportReplacesNothingButReports) {
         const Finished finished = tradeoff(quick);
         EXPECT_EQ(finished.code, 2);
         EXPECT_THAT(finished.err,
-                    HasSubstr(std::string("'") + name + "' is there, and no earlier"));
+                    HasSubstr(std::string("'") + name + "' exists and is not an earlier"));
         EXPECT_EQ(place_.read(name), "mine");
         place_.write(name, before);
     }

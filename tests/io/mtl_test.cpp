@@ -118,15 +118,15 @@ TEST(ObjMaterials, OneForAllFacesIsTheMeshs) {
 
 TEST(ObjMaterials, WhatIsMissingIsAWarning) {
     EXPECT_THAT(found(lone_square, {}).warnings,
-                ElementsAre("t.obj:5: no materials: cannot read 'a.mtl'"));
-    EXPECT_THAT(
-        found(lone_square, {{"a.mtl", "newmtl red\nKd red\n"}}).warnings,
-        ElementsAre("t.obj:5: no materials: a.mtl:2: a part of a colour expected, not 'red'"));
+                ElementsAre("t.obj:5: the materials cannot be read: cannot read 'a.mtl'"));
+    EXPECT_THAT(found(lone_square, {{"a.mtl", "newmtl red\nKd red\n"}}).warnings,
+                ElementsAre("t.obj:5: the materials cannot be read: a.mtl:2: a part of a colour "
+                            "expected, not 'red'"));
     EXPECT_THAT(found(lone_square, {{"a.mtl", "newmtl red\nTf 1\n"}}).warnings,
-                ElementsAre("a.mtl: skipped, as Lancer has nothing like it: Tf (line 2)",
-                            "t.obj: materials that no library has: 'blue'"));
+                ElementsAre("a.mtl: skipped, because Lancer does not support it: Tf (line 2)",
+                            "t.obj: no library contains these materials: 'blue'"));
     EXPECT_THAT(found("mtllib\n" + lone_square, {{"a.mtl", "newmtl red\nnewmtl blue\n"}}).warnings,
-                ElementsAre("t.obj:1: no materials: no file is named"));
+                ElementsAre("t.obj:1: the materials cannot be read: no file is named"));
 }
 
 TEST(ObjMaterials, ALineNamesOneLibraryWithBlanksOrSeveral) {

@@ -142,8 +142,9 @@ TEST(Obj, SixNumbersAreAPlaceAndItsColor) {
     const LoadedMesh some = obj("v 0 0 0\nv 1 0 0 0 0 2\nv 0 1 0 7\nf 1 2 3\n");
     EXPECT_THAT(some.mesh.colors, ElementsAre(Vec3d(1.0), Vec3d(0, 0, 2), Vec3d(1.0)))
         << "white beside colours; one number more is a weight";
-    EXPECT_THAT(some.warnings,
-                ElementsAre("t.obj:1: this vertex has no colour, others have one: such are white"));
+    EXPECT_THAT(
+        some.warnings,
+        ElementsAre("t.obj:1: this vertex has no colour, but others have one: it becomes white"));
     EXPECT_TRUE(all.warnings.empty());
     EXPECT_TRUE(obj(triangle + "f 1 2 3\n").mesh.colors.empty());
     const LoadedMesh wrong = obj("v 0 0 0\nv 1 0 0 0 0 -2\nv 0 1 0\nf 1 2 3\n");
@@ -167,7 +168,8 @@ TEST(Obj, NamesTheLineOfAMistake) {
     EXPECT_THAT(obj_error("v 0 1,5 0\n"), HasSubstr("expected, not '1,5'"));
     EXPECT_THAT(obj_error("vn 0 0 zero\n"), StartsWith("t.obj:1: a component of the normal"));
     EXPECT_THAT(obj_error("vt\n"), StartsWith("t.obj:1: a texture coordinate"));
-    EXPECT_THAT(obj_error(triangle + "f 1 2\n"), StartsWith("t.obj:4: a face has at least three"));
+    EXPECT_THAT(obj_error(triangle + "f 1 2\n"),
+                StartsWith("t.obj:4: a face needs at least three"));
     EXPECT_THAT(obj_error(triangle + "f 1 2 0\n"), StartsWith("t.obj:4: a vertex index is out"));
     EXPECT_THAT(obj_error(triangle + "f 1 2 -4\n"), StartsWith("t.obj:4: a vertex index is out"));
     EXPECT_EQ(obj_error(triangle + "\nf 1 2 4\n"),

@@ -65,7 +65,7 @@ TEST_F(PictureProcess, ThatCrashesIsAnErrorAndTheNextPictureIsRead) {
 TEST_F(PictureProcess, IsBoundedInTimeAndMemory) {
     set_picture_limits({64, 1});
     EXPECT_THAT(problem("spin"),
-                HasSubstr("longer than the 1 s allowed (--limit-picture-seconds)"));
+                HasSubstr("longer than the allowed 1 s (--limit-picture-seconds)"));
     EXPECT_THAT(problem("sleep"), HasSubstr("longer than the 1 s allowed"));
 #ifndef __SANITIZE_ADDRESS__  // its shadow memory has no bounds
     EXPECT_THAT(problem("memory"), HasSubstr("more memory than the 64 MiB allowed"));

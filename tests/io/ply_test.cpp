@@ -198,7 +198,7 @@ TEST(Ply, NamesThePlaceOfAMistake) {
     EXPECT_THAT(header("format text 1.0\n"), StartsWith("t.ply:2: unknown format 'text'"));
     EXPECT_THAT(header("format ascii 2.0\n"), StartsWith("t.ply:2: unknown version"));
     EXPECT_THAT(header("format ascii 1.0\nelement vertex -3\n"), StartsWith("t.ply:3: the number"));
-    EXPECT_THAT(header("property float x\n"), StartsWith("t.ply:2: a property belongs"));
+    EXPECT_THAT(header("property float x\n"), StartsWith("t.ply:2: a property must belong"));
     EXPECT_THAT(header("element vertex 1\nproperty real x\n"), HasSubstr("unknown type 'real'"));
     EXPECT_THAT(header("element vertex 1\nproperty list float int x\n"), HasSubstr("whole number"));
     EXPECT_THAT(header("elements vertex 1\n"), HasSubstr("unknown statement 'elements'"));

@@ -149,7 +149,7 @@ TEST_F(AgainstCauses, ColoursThroughACurve) {
         520, {
                  {"the materials' colours are decoded by the sRGB curve", colours(srgb_decode)},
                  {"the materials' colours are encoded by the sRGB curve", colours(srgb_encode)},
-                 {"the materials' colours are taken to the power of 2.2",
+                 {"the materials' colours are raised to the power of 2.2",
                   colours([](double v) { return std::pow(v, 2.2); })},
                  {"the materials' colours are squared", colours([](double v) { return v * v; })},
                  {"the materials' colours are replaced by their square roots",
@@ -164,29 +164,28 @@ TEST_F(AgainstCauses, Highlights) {
             m.roughness /= factor;
         });
     };
-    expect_named(
-        540,
-        {
-            {"there are no highlights", in_materials([](Material& m) { m.phong = m.blinn = 0; })},
-            {"the exponents of highlights are twice", exponents(2)},
-            {"the exponents of highlights are half", exponents(0.5)},
-            {"the exponents of phong highlights are half",
-             in_materials([](Material& m) { m.shininess *= 0.5; })},
-            {"the exponents of blinn highlights are twice",
-             in_materials([](Material& m) { m.roughness /= 2; })},
-            {"phong highlights are by the half vector", in_materials([](Material& m) {
-                 if (m.phong == 0) return;
-                 m.blinn = m.phong;
-                 m.roughness = 1 / m.shininess;
-                 m.phong = 0;
-             })},
-            {"blinn highlights are by the mirrored dir", in_materials([](Material& m) {
-                 if (m.blinn == 0) return;
-                 m.phong = m.blinn;
-                 m.shininess = 1 / m.roughness;
-                 m.blinn = 0;
-             })},
-        });
+    expect_named(540, {
+                          {"there are no highlights",
+                           in_materials([](Material& m) { m.phong = m.blinn = 0; })},
+                          {"the exponents of highlights are twice", exponents(2)},
+                          {"the exponents of highlights are half", exponents(0.5)},
+                          {"the exponents of phong highlights are half",
+                           in_materials([](Material& m) { m.shininess *= 0.5; })},
+                          {"the exponents of blinn highlights are twice",
+                           in_materials([](Material& m) { m.roughness /= 2; })},
+                          {"phong highlights use the half vector", in_materials([](Material& m) {
+                               if (m.phong == 0) return;
+                               m.blinn = m.phong;
+                               m.roughness = 1 / m.shininess;
+                               m.phong = 0;
+                           })},
+                          {"blinn highlights use the mirrored dir", in_materials([](Material& m) {
+                               if (m.blinn == 0) return;
+                               m.phong = m.blinn;
+                               m.shininess = 1 / m.roughness;
+                               m.blinn = 0;
+                           })},
+                      });
 }
 
 TEST_F(AgainstCauses, Textures) {
@@ -198,7 +197,7 @@ TEST_F(AgainstCauses, Textures) {
                           {"textures are mirrored", in_image([](int x, int y) {
                                return Place{7 - x, y};
                            })},
-                          {"textures have the nearest texel's colour",
+                          {"textures show the nearest texel's colour",
                            [](Scene& s) {
                                std::get<ImageTexture>(s.textures[1].pattern).filter =
                                    ImageTexture::Filter::nearest;
@@ -221,7 +220,8 @@ TEST_F(AgainstCauses, GlassAndMirrors) {
     expect_named(
         580,
         {
-            {"there is no absorption", in_materials([](Material& m) { m.absorption = Color(0); })},
+            {"absorption inside of bodies is left out",
+             in_materials([](Material& m) { m.absorption = Color(0); })},
             {"fresnel is left out", in_materials([](Material& m) { m.fresnel = false; })},
             {"surfaces with fresnel reflect nothing", in_materials([](Material& m) {
                  if (m.fresnel) m.reflection = Color(0);
@@ -236,15 +236,15 @@ TEST_F(AgainstCauses, GlassAndMirrors) {
                  m.transmission += m.filter;
                  m.filter = 0;
              })},
-            {"what is transparent casts no shadow",
+            {"transparent objects cast no shadow",
              [](Scene& s) { s.objects.back().casts_shadow = false; }},
-            {"there is no sky", [](Scene& s) { s.sky = std::nullopt; }},
+            {"the sky is left out", [](Scene& s) { s.sky = std::nullopt; }},
         });
 }
 
 TEST_F(AgainstCauses, LevelsOfRecursion) {
     const auto deep = [](int depth) { return [depth](Scene& s) { s.settings.max_depth = depth; }; };
-    expect_named(600, {{"rays are followed 1 level deep; the scene says 4", deep(1)},
+    expect_named(600, {{"rays are followed 1 level deep, but the scene says 4", deep(1)},
                        {"rays are followed 2 levels deep", deep(2)},
                        {"rays are followed 3 levels deep", deep(3)},
                        {"rays are followed 5 levels deep", deep(5)},

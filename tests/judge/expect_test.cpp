@@ -46,18 +46,18 @@ TEST(Expectations, KeepValuesWithTheirReasons) {
 
 TEST(Expectations, RefuseWhatTheyDoNotUnderstandWithTheLine) {
     EXPECT_EQ(error_of("\nunexplained 4"),
-              "s.expect:2: unexplained needs a reason: unexplained 4  # why");
+              "s.expect:2: unexplained needs a reason, written as: unexplained 4  # why");
     EXPECT_EQ(error_of("unexplained 4 #  "),
-              "s.expect:1: unexplained needs a reason: unexplained 4  # why");
+              "s.expect:1: unexplained needs a reason, written as: unexplained 4  # why");
     EXPECT_THAT(error_of("unexplaned 4 # x"),
                 testing::HasSubstr("s.expect:1: unknown key 'unexplaned'"));
     EXPECT_EQ(error_of("unexplained # x"), "s.expect:1: unexplained has no value");
-    EXPECT_EQ(error_of("unexplained 4.5 # x"), "s.expect:1: '4.5' is not a number that fits here");
-    EXPECT_EQ(error_of("unexplained -1 # x"), "s.expect:1: '-1' is not a number that fits here");
-    EXPECT_EQ(error_of("interior nan # x"), "s.expect:1: interior must lie between 1e-06 and 1");
-    EXPECT_EQ(error_of("tight 2 # x"), "s.expect:1: tight must lie between 1e-06 and 1");
+    EXPECT_EQ(error_of("unexplained 4.5 # x"), "s.expect:1: '4.5' is not a valid number");
+    EXPECT_EQ(error_of("unexplained -1 # x"), "s.expect:1: '-1' is not a valid number");
+    EXPECT_EQ(error_of("interior nan # x"), "s.expect:1: interior must be between 1e-06 and 1");
+    EXPECT_EQ(error_of("tight 2 # x"), "s.expect:1: tight must be between 1e-06 and 1");
     EXPECT_EQ(error_of("unexplained 1 # x\nunexplained 2 # y"),
-              "s.expect:2: unexplained stands here twice");
+              "s.expect:2: unexplained is given twice");
     EXPECT_EQ(error_of("refused no # x"), "s.expect:1: refused takes only the value yes");
 }
 

@@ -344,7 +344,7 @@ TEST(Judge, EndsWhenItsRaysAreUsedUpAndSaysSo) {
     // Edges are looked for alike; a pixel that is begun is finished.
     EXPECT_LT(some.rays, bound + 10000);
     EXPECT_EQ(looks_without_bound - looks, all.rays - some.rays);
-    EXPECT_THAT(some.failures, Contains(HasSubstr("were not looked at: explaining ended after")));
+    EXPECT_THAT(some.failures, Contains(HasSubstr("were not examined: explaining ended after")));
 }
 
 TEST(Judge, LooksFirstWhereFacesToldApartDoNotHelp) {

@@ -178,7 +178,7 @@ TEST_F(Tachyon, Has8BitsUnlessTold) {
     const auto same = scene(balls());
     const Validation v = judged(same, *same, corner(), "PPM");
     EXPECT_EQ(v.verdict, Verdict::failed);
-    EXPECT_THAT(v.reasons, Contains(HasSubstr("holds 8 bits a channel, too coarse")));
+    EXPECT_THAT(v.reasons, Contains(HasSubstr("has only 8 bits per channel, which is too coarse")));
 }
 
 TEST_F(Tachyon, TakesTheNormalsOfCornersWoundTheOtherWayForTheOtherSides) {

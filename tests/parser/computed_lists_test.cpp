@@ -85,28 +85,28 @@ TEST(ComputedLists, AreBounded) {
     limits.statements = 1000;
     EXPECT_EQ(message_of("let a = [for i in 0..900: i]", limits), "");
     EXPECT_EQ(message_of("let a = [for i in 0..1e15: i]", limits),
-              "more than 1000 statements executed");
+              "more than 1000 statements were executed");
     EXPECT_EQ(message_of("let a = [for i in 0..1000 if false: i]", limits),
-              "more than 1000 statements executed");
+              "more than 1000 statements were executed");
     limits = {};
     limits.list_elements = 1000;
     EXPECT_EQ(message_of("let a = [for i in 0..1e15: i]", limits),
-              "more than 1000 list elements made");
+              "more than 1000 list elements were created");
     EXPECT_EQ(message_of("let a = range(0, 600, 1) let b = concat(a, a)", limits),
-              "more than 1000 list elements made");
+              "more than 1000 list elements were created");
     EXPECT_EQ(message_of("let a = range(0, 600, 1) let b = sum(a)", limits),
-              "more than 1000 list elements made");
+              "more than 1000 list elements were created");
     limits = {};
     limits.nesting = 20;
     EXPECT_EQ(
         message_of("func f(n) = n == 0 ? 0 : [for i in 0..1: f(n - 1)] let a = f(30)", limits),
-        "lists nested more than 20 levels deep");
+        "lists are nested more than 20 levels deep");
 }
 
 TEST(ComputedLists, HoldNoMoreThanIsAllowedAtOneTime) {
     Limits limits;
     limits.held_bytes = 1'000'000;
-    const std::string message = "lists of more than 1000000 bytes at one time";
+    const std::string message = "lists take more than 1000000 bytes at one time";
     EXPECT_EQ(message_of("let a = [for i in 0..1000000: i]", limits), message);
     EXPECT_EQ(message_of("let a = [for i in 0..1000000: []]", limits), message);
     EXPECT_EQ(message_of("let a = [for i in 0..1000000: str(i)]", limits), message);

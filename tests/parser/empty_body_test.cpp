@@ -27,7 +27,7 @@ TEST(EmptyBody, IsAWarningWithItsNameAtItsPlace) {
         test::run("difference {\n  name \"ring\"\n  sphere { radius 1 }\n  sphere { radius 2 }\n}");
     ASSERT_EQ(result.found.size(), 1u) << result.messages;
     EXPECT_EQ(result.found[0].message, "nothing is left of this body 'ring'");
-    EXPECT_THAT(result.found[0].hint, testing::HasSubstr("first part without all others"));
+    EXPECT_THAT(result.found[0].hint, testing::HasSubstr("first part minus all others"));
     EXPECT_THAT(result.messages, testing::HasSubstr(":1:1: warning"));
 }
 
@@ -75,9 +75,9 @@ TEST(EmptyBody, TellsTheCauseWhereverItLies) {
         "intersection { sphere { radius 1 } sphere { radius 1 center [9, 0, 0] } }";
     for (const char* outer : {"union", "difference", "intersection"})
         EXPECT_EQ(hint_of(std::string(outer) + " { " + apart + " }"),
-                  "parts of an intersection have no room in common");
+                  "parts of the intersection have no space in common");
     EXPECT_EQ(hint_of("difference { " + apart + " sphere { radius 99 } }"),
-              "parts of an intersection have no room in common");
+              "parts of the intersection have no space in common");
 }
 
 }  // namespace

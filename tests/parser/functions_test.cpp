@@ -101,14 +101,15 @@ TEST(Functions, EndWhenTheyCallThemselvesForEver) {
         ASSERT_EQ(result.found.size(), 1u) << result.messages;
     }
     const auto endless = run("func f(n, m = f(n)) = n print f(0)");
-    EXPECT_EQ(endless.found.at(0).message, "more than 512 nested calls and includes");
+    EXPECT_EQ(endless.found.at(0).message,
+              "calls and includes are nested more than 512 levels deep");
     EXPECT_EQ(endless.found.at(0).notes.size(), 9u);
     Limits limits;
     limits.statements = 1000;
     const auto result =
         run("func f(n) = n == 0 ? 0 : f(n - 1) + f(n - 1) print f(100)", {}, {}, limits);
     ASSERT_EQ(result.found.size(), 1u);
-    EXPECT_EQ(result.found.at(0).message, "more than 1000 statements executed");
+    EXPECT_EQ(result.found.at(0).message, "more than 1000 statements were executed");
 }
 
 TEST(Functions, ThatNobodyCallsAreCheckedForNames) {

@@ -79,7 +79,7 @@ TEST(InPlace, WithinThemselvesForEverIsAnError) {
         run("func f(x) = texture { gradient [0, 1, 0] stops [[0, texture { gradient [0, 1, f(x)]"
             " stops [] }]] } let a = f(1)");
     ASSERT_EQ(result.found.size(), 1u) << result.messages;
-    EXPECT_EQ(result.found.at(0).message, "nested more than 512 levels deep");
+    EXPECT_EQ(result.found.at(0).message, "the nesting is more than 512 levels deep");
 }
 
 TEST(ColorsOfTheWeb, AreOfOneTableInOrder) {

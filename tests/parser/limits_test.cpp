@@ -33,9 +33,9 @@ TEST_P(DeepText, IsReadUpToTheLimitAndIsAnErrorBeyond) {
         const std::string start = open.find('{') == std::string::npos ? "let a = " : "";
         return run(start + repeated(open, depth) + inside + repeated(close, depth)).messages;
     };
-    EXPECT_EQ(nested(500).find("nested more than"), std::string::npos);
-    EXPECT_NE(nested(600).find("nested more than 512 levels deep"), std::string::npos);
-    EXPECT_NE(nested(100000).find("nested more than 512 levels deep"), std::string::npos);
+    EXPECT_EQ(nested(500).find("the nesting is more than"), std::string::npos);
+    EXPECT_NE(nested(600).find("the nesting is more than 512 levels deep"), std::string::npos);
+    EXPECT_NE(nested(100000).find("the nesting is more than 512 levels deep"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -56,7 +56,8 @@ TEST(Limits, DeepCallsWithinDeepBlocksNeedNoStack) {
 TEST(Limits, RecursionWithoutEndIsOneError) {
     const auto result = run("def f() { f() f() } f()");
     EXPECT_EQ(result.found.size(), 1u);
-    EXPECT_EQ(result.found.at(0).message, "more than 512 nested calls and includes");
+    EXPECT_EQ(result.found.at(0).message,
+              "calls and includes are nested more than 512 levels deep");
     EXPECT_EQ(result.found.at(0).notes.size(), 9u);
     EXPECT_EQ(result.found.at(0).notes.back().message, "... 504 more calls");
 }
@@ -73,9 +74,9 @@ TEST(Limits, EachIsAnErrorAtItsPlace) {
         return result.found.empty() ? "" : result.found.at(0).message;
     };
     EXPECT_EQ(message("for i in 0..500 { }"), "");
-    EXPECT_EQ(message("for i in 0..2000 { }"), "more than 1000 statements executed");
-    EXPECT_EQ(message("let a = range(0, 2000, 1)"), "more than 1000 list elements made");
-    EXPECT_EQ(message("let a = range(0, 1e300, 1)"), "more than 1000 list elements made");
+    EXPECT_EQ(message("for i in 0..2000 { }"), "more than 1000 statements were executed");
+    EXPECT_EQ(message("let a = range(0, 2000, 1)"), "more than 1000 list elements were created");
+    EXPECT_EQ(message("let a = range(0, 1e300, 1)"), "more than 1000 list elements were created");
     EXPECT_EQ(message("for i in 0..20 { sphere { radius 1 } }"), "more than 10 objects");
     EXPECT_EQ(message("for i in 0..20 { group { sphere { radius 1 scale 2 } } }"),
               "more than 10 objects");
@@ -85,8 +86,8 @@ TEST(Limits, EachIsAnErrorAtItsPlace) {
               "more than 10 cameras");
     EXPECT_EQ(message("for i in 0..20 { material m { } }"), "more than 10 materials");
     EXPECT_EQ(message("for i in 0..200 { print \"0123456789\" }"),
-              "more than 1000 bytes of strings made");
-    EXPECT_EQ(message(repeated(" ", 300)), "more than 200 bytes of script");
+              "more than 1000 bytes of strings were created");
+    EXPECT_EQ(message(repeated(" ", 300)), "the source files have more than 200 bytes");
     EXPECT_EQ(message(repeated(" ", 100) + "include \"long\""), "'long' is too long");
 }
 
@@ -98,7 +99,7 @@ TEST(Limits, ListsThatShareTheirPartsDoNotExplode) {
             "twice([1, \"x\"], [1, \"x\"], 60)",
             {}, {}, limits);
     ASSERT_EQ(result.found.size(), 1u);
-    EXPECT_EQ(result.found.at(0).message, "more than 1000000 list elements made");
+    EXPECT_EQ(result.found.at(0).message, "more than 1000000 list elements were created");
 }
 
 }  // namespace

@@ -85,11 +85,10 @@ TEST(MeshBlock, GlassThatIsNotClosedIsAWarning) {
     const auto result = test::run(open_box + glass + " }");
     ASSERT_EQ(result.found.size(), 1u) << result.messages;
     EXPECT_EQ(result.found[0].severity, Severity::warning);
-    EXPECT_EQ(
-        result.found[0].message,
-        "light passes through this mesh, but it is not closed: 3 of its edges do not have two "
-        "faces, the first from [0, 1, 0] to [1, 0, 0]; so it has no inside, and its ior does "
-        "nothing");
+    EXPECT_EQ(result.found[0].message,
+              "light passes through this mesh, but this surface is not closed: 3 of its edges do "
+              "not belong to exactly two faces, the first from [0, 1, 0] to [1, 0, 0]; it has no "
+              "inside, so its ior has no effect");
     // A pane bends nothing, and what is opaque needs no inside.
     EXPECT_EQ(test::run(open_box + "material { transmission 0.9 } }").messages, "");
     EXPECT_EQ(test::run(open_box + "material { ior 1.5 } }").messages, "");

@@ -114,8 +114,9 @@ TEST(Statements, WordsOfOtherLanguagesAreNamesLikeOthers) {
 TEST(Statements, AnAssignmentInALoopChangesNothingButIsAnError) {
     const auto result = run("let n = 1\nfor i in 0..3 {\n  n = n + i\n  sphere { radius n }\n}\n");
     ASSERT_EQ(result.found.size(), 1u) << result.messages;
-    EXPECT_NE(result.messages.find("3:3: error: 'n' has a value, and values do not change"),
-              std::string::npos)
+    EXPECT_NE(
+        result.messages.find("3:3: error: 'n' already has a value, and a value cannot be changed"),
+        std::string::npos)
         << result.messages;
     EXPECT_NE(result.messages.find("main.lancer:1:5: note: first here"), std::string::npos);
 }
@@ -139,7 +140,7 @@ TEST(Definitions, WithAMistakeAreWrongUse) {
     EXPECT_NE(broken.usage.find("-D level:1:4: error: expected an expression"), std::string::npos)
         << broken.usage;
     const auto more = run("param level = 3", {{{"level", "2 3"}}, {}, {}});
-    EXPECT_NE(more.usage.find("expected nothing after the value, found '3'"), std::string::npos)
+    EXPECT_NE(more.usage.find("expected the end after the value, found '3'"), std::string::npos)
         << more.usage;
     const auto unknown = run("param level = 3", {{{"level", "x"}}, {}, {}});
     EXPECT_NE(unknown.usage.find("'x' is not defined"), std::string::npos) << unknown.usage;

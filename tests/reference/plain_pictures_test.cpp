@@ -187,7 +187,7 @@ TEST(Masks, ThatFitNothingAreAnError) {
               "the mask has another size: 30 x 40, and the pictures 40 x 30");
     options.counted = mask_from(Image(width, height));
     EXPECT_EQ(compare_images(disc(20), disc(20), options).reason,
-              "the mask is black: it leaves no pixel");
+              "the mask is black: no pixel is left to compare");
 }
 
 }  // namespace

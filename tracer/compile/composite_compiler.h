@@ -101,7 +101,7 @@ class CompositeCompiler {
 
     CompositeTree<Real> finish(const World<Real>& world, const SourceSpan& place, int threads) {
         if (faces_ >= hidden_face)
-            throw SceneError(place, "what is joined and cut here has more than 2 billion faces");
+            throw SceneError(place, "the parts of this body have more than 2 billion faces");
         add_nodes();
         std::vector<Bounds<Real>> boxes;
         std::vector<Bounds<Real>> in_tree;

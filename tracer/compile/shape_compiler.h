@@ -22,7 +22,8 @@ namespace lancer {
 
 /// What a shape is told whose numbers cannot be computed with beside those of the scene.
 inline constexpr const char* out_of_range =
-    "this shape is too large or too small, beside the rest of the scene, for the chosen precision";
+    "this shape is too large or too small, compared with the rest of the scene, for the chosen "
+    "precision";
 
 /// Makes the tracer's solids, and the frames of those that stay in a space of their own.
 ///
@@ -244,10 +245,10 @@ class ShapeCompiler {
         auto& surface = patches_[{ref.patch, own, tolerance}];
         if (surface == nullptr) {
             if (!splines::is_within_limit(scene_.patches[ref.patch], tolerance))
-                throw SceneError(object_->place,
-                                 "this patch would need more than 50 million triangles to stay "
-                                 "within the tolerance that is asked, of the patch or of the whole "
-                                 "picture");
+                throw SceneError(
+                    object_->place,
+                    "this patch would need more than 50 million triangles for its tolerance: "
+                    "increase the tolerance of the patch or of the whole picture");
             world_.patches.push_back(
                 std::make_unique<PatchSurface<Real>>(scene_.patches[ref.patch], tolerance,
                                                      &world_.patch_borders, own, settings_.smooth));

@@ -121,7 +121,7 @@ void check_strip_size(TIFF* file, const TiffLayout& layout) {
     // At most 2^18 x 2^17 pixels of 64 samples of 2^16 bits: no overflow.
     const std::uint64_t bytes = (columns * layout.samples * layout.bits + 7) / 8 * rows;
     if (bytes > most_strip_bytes) {
-        throw TiffError(fmt::format("{} of {} MiB: more than the {} MiB that are read at once",
+        throw TiffError(fmt::format("{} of {} MiB: larger than the {} MiB that can be read at once",
                                     tiled ? "a row of tiles" : "a strip", bytes >> 20,
                                     most_strip_bytes >> 20));
     }
@@ -348,7 +348,7 @@ std::string read_tiff(std::string_view bytes, PictureSink& sink) {
     try {
         if (file == nullptr && ends_before_its_directory(bytes))
             throw TiffError("the file is truncated");
-        if (file == nullptr) fail("it is no TIFF file");
+        if (file == nullptr) fail("it is not a TIFF file");
         read_file(file.get(), bytes.size(), sink);
     } catch (const TiffError& error) {
         return error.what();

@@ -98,7 +98,7 @@ ColorSamples color_samples(const TiffLayout& layout, SampleType type) {
             return {3, 3};
         case PHOTOMETRIC_PALETTE:
             if (layout.samples != 1 || layout.bits > 16 || layout.format == SAMPLEFORMAT_IEEEFP)
-                throw TiffError("a palette goes with one sample a pixel");
+                throw TiffError("a palette needs exactly one sample per pixel");
             return {1, 3};
         case PHOTOMETRIC_SEPARATED:
             if (type != SampleType::uint8 && type != SampleType::uint16)

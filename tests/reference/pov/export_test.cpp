@@ -281,7 +281,7 @@ TEST(Export, RefusesWhatPovRayHasNoWordForAtItsPlace) {
     Material frosted;
     frosted.phong_transmission = 0.5;
     add_object(scene, Box{}, add_material(scene, frosted));
-    EXPECT_THAT(refusal(scene).message, HasSubstr("no highlight of light from behind"));
+    EXPECT_THAT(refusal(scene).message, HasSubstr("no highlights from light behind a surface"));
     EXPECT_EQ(refusal(scene).where, scene.objects[1].place);
 
     scene = empty_scene();
@@ -317,7 +317,7 @@ TEST(Export, RefusesWhatPovRayHasNoWordForAtItsPlace) {
     image.data = {0, 0, 1.5};
     scene.images.push_back({"bright.exr", false, std::make_shared<Image>(image)});
     add_object(scene, Sphere{}, add_texture(scene, {ImageTexture{0}, {}}));
-    EXPECT_THAT(refusal(scene).message, HasSubstr("'bright.exr' holds values outside 0 to 1"));
+    EXPECT_THAT(refusal(scene).message, HasSubstr("'bright.exr' contains values outside 0 to 1"));
 }
 
 TEST(Export, DeclaresAPatternAnewForEachSizeThatShowsIt) {

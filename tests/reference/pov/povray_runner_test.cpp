@@ -100,7 +100,7 @@ TEST_F(Runner, SaysWhereItLookedWhenThereIsNoPovRay) {
 TEST_F(Runner, RefusesAVariableThatNamesNoProgram) {
     const Variable wrong("LANCER_POVRAY", "/nowhere/povray");
     EXPECT_EQ(message_of([] { find_povray(); }),
-              "LANCER_POVRAY names '/nowhere/povray', which is not a program");
+              "LANCER_POVRAY is set to '/nowhere/povray', which is not a program");
 }
 
 TEST_F(Runner, TakesTheVariableBeforeThePath) {
