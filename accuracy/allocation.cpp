@@ -13,7 +13,7 @@ namespace {
 /// where n is proportional to (kappa c)^0.4.
 class Spread {
   public:
-    Spread(const Samples& samples, const Prediction& prediction) : samples_(samples) {
+    Spread(const PictureSamples& samples, const Prediction& prediction) : samples_(samples) {
         share_.reserve(samples.size());
         kept_.reserve(samples.size());
         for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -55,13 +55,14 @@ class Spread {
     }
 
   private:
-    const Samples& samples_;
+    const PictureSamples& samples_;
     std::vector<double> share_;
     std::vector<double> kept_;
 };
 
 /// Twice as many where the want is nearest to it; all others keep theirs.
-std::vector<std::uint32_t> doubled(const Samples& samples, const Spread& spread, double factor) {
+std::vector<std::uint32_t> doubled(const PictureSamples& samples, const Spread& spread,
+                                   double factor) {
     std::vector<std::uint32_t> counts(samples.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const std::uint32_t n = samples.pixels()[i].count;
@@ -72,7 +73,8 @@ std::vector<std::uint32_t> doubled(const Samples& samples, const Spread& spread,
 }
 
 /// When no pixel wants twice as many: the hundredth part whose doubling brings most a ray.
-std::vector<std::uint32_t> best_doubled(const Samples& samples, const Prediction& prediction) {
+std::vector<std::uint32_t> best_doubled(const PictureSamples& samples,
+                                        const Prediction& prediction) {
     std::vector<std::uint32_t> counts(samples.size());
     std::vector<double> gains(samples.size());
     for (std::size_t i = 0; i < gains.size(); ++i) {
@@ -93,20 +95,20 @@ std::uint64_t sum(const std::vector<std::uint32_t>& counts) {
     return total;
 }
 
-double values(const Samples& samples) {
+double values(const PictureSamples& samples) {
     return 3 * static_cast<double>(samples.size());
 }
 
 }  // namespace
 
-double rays_for(const Samples& samples, const Prediction& prediction, double mean_square) {
+double rays_for(const PictureSamples& samples, const Prediction& prediction, double mean_square) {
     const Spread spread(samples, prediction);
     const double most = mean_square * values(samples);
     const double factor = spread.factor([&](const Spread::Sums& s) { return s.error <= most; });
     return spread.sums(factor).rays / static_cast<double>(samples.size());
 }
 
-double mean_square_for(const Samples& samples, const Prediction& prediction,
+double mean_square_for(const PictureSamples& samples, const Prediction& prediction,
                        double rays_per_pixel) {
     const Spread spread(samples, prediction);
     const double rays = rays_per_pixel * static_cast<double>(samples.size());
@@ -114,8 +116,8 @@ double mean_square_for(const Samples& samples, const Prediction& prediction,
     return spread.sums(factor).error / values(samples);
 }
 
-bool refine(Samples& samples, Prediction& prediction, double mean_square, std::uint64_t most_rays,
-            const Progress& progress) {
+bool refine(PictureSamples& samples, Prediction& prediction, double mean_square,
+            std::uint64_t most_rays, const Progress& progress) {
     const double most = mean_square * values(samples);
     for (;;) {
         prediction.score(samples);

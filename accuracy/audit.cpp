@@ -60,7 +60,7 @@ void add_interval(ErrorEstimate& e) {
 
 }  // namespace
 
-Audit audit(const Truth& truth, const Samples& samples, std::span<const double> predicted,
+Audit audit(const Truth& truth, const PictureSamples& samples, std::span<const double> predicted,
             const AuditPlan& plan, const Progress& progress) {
     const DrawGuesses guessed(predicted, samples.width(), samples.height());
     const std::vector<double> chance = guessed.mixed(plan.shares);
@@ -181,7 +181,7 @@ ErrorEstimate estimate(std::span<const double> terms, std::span<const double> ea
     return estimate_of_strata({&all, 1});
 }
 
-std::vector<PixelShare> dominant_pixels(const Audit& audit, const Samples& samples,
+std::vector<PixelShare> dominant_pixels(const Audit& audit, const PictureSamples& samples,
                                         std::size_t most) {
     std::map<std::size_t, double> of_pixel;
     double total = 0;

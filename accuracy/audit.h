@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "accuracy/draw_shares.h"
-#include "accuracy/samples.h"
+#include "accuracy/picture_samples.h"
 
 namespace lancer::accuracy {
 
@@ -51,7 +51,7 @@ struct Audit {
     /// mean.
     std::vector<double> terms;
     std::vector<double> terms_of_few;  ///< as they are with the first few_points of each estimate
-    std::vector<std::size_t> pixels;   ///< that were drawn, index into Samples::pixels()
+    std::vector<std::size_t> pixels;   ///< that were drawn, index into PictureSamples::pixels()
     std::vector<SeenDraw> seen;        ///< for best_shares()
     RayCounts rays;
     std::uint64_t points = 0;  ///< of all estimates
@@ -62,7 +62,7 @@ struct Audit {
 };
 
 /// \param predicted  squared errors to draw by, one a pixel; see Prediction::errors
-Audit audit(const Truth& truth, const Samples& samples, std::span<const double> predicted,
+Audit audit(const Truth& truth, const PictureSamples& samples, std::span<const double> predicted,
             const AuditPlan& plan, const Progress& progress);
 
 /// An error is told when this many equal draws would tell as much as those of an audit ...
@@ -124,7 +124,7 @@ ErrorEstimate estimate_of_strata(std::span<const Stratum> strata);
 
 /// The pixels that `audit` owes most of its result to, largest first, with their shares of the sum
 /// of squared terms.
-std::vector<PixelShare> dominant_pixels(const Audit& audit, const Samples& samples,
+std::vector<PixelShare> dominant_pixels(const Audit& audit, const PictureSamples& samples,
                                         std::size_t most);
 
 }  // namespace lancer::accuracy

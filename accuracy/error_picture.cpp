@@ -18,8 +18,8 @@ bool ErrorReport::is_reached() const {
     return !rare_light && (is_flat() || (is_told && error.high <= asked));
 }
 
-ErrorPicture finished(const Samples& samples, const Prediction& prediction, ErrorReport report,
-                      ErrorSums sums) {
+ErrorPicture finished(const PictureSamples& samples, const Prediction& prediction,
+                      ErrorReport report, ErrorSums sums) {
     ErrorPicture picture;
     picture.image = samples.image();
     for (std::size_t i = 0; i < samples.size(); ++i) {

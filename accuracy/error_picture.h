@@ -61,7 +61,7 @@ struct ErrorPicture {
 /// The picture that the samples make; fills in what the report says of them.
 ///
 /// \param sums  has the draws, where there are any
-ErrorPicture finished(const Samples& samples, const Prediction& prediction, ErrorReport report,
-                      ErrorSums sums = {});
+ErrorPicture finished(const PictureSamples& samples, const Prediction& prediction,
+                      ErrorReport report, ErrorSums sums = {});
 
 }  // namespace lancer::accuracy

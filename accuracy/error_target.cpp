@@ -31,7 +31,7 @@ constexpr double aimed_margin = 4.3;
 constexpr double sure_effective_draws = 2 * least_effective_draws;
 
 /// Draws of the largest audit. In a small picture, more would cost more than more samples.
-int most_draws(const Samples& samples) {
+int most_draws(const PictureSamples& samples) {
     const std::uint64_t most =
         std::max<std::uint64_t>(samples.size() / 4, samples.rays().primary / 32);
     return static_cast<int>(std::clamp<std::uint64_t>(most, 1000, 16000));
@@ -345,7 +345,7 @@ class Search {
     const Progress& progress_;
     ErrorReport report_;
     ErrorSums sums_;
-    std::optional<Samples> samples_;
+    std::optional<PictureSamples> samples_;
     Prediction prediction_;
     std::optional<RareLight> rare_;
     double bias_ = 0;  ///< mean squared error that no samples remove

@@ -175,7 +175,7 @@ ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Tr
     return estimate(terms);
 }
 
-double share_cut(const Truth& truth, const Samples& samples, const TraceLimits& limits,
+double share_cut(const Truth& truth, const PictureSamples& samples, const TraceLimits& limits,
                  std::span<const PixelShare> pixels, RayCounts& rays) {
     constexpr std::uint32_t per_pixel = 16;
     std::vector<PicturePoint> points;

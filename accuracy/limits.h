@@ -33,7 +33,7 @@ ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Tr
 
 /// How much of the squared error in some pixels is what `limits`, with which `samples` were made,
 /// cut: from 0 to about 1, as 16 points in each of them tell.
-double share_cut(const Truth& truth, const Samples& samples, const TraceLimits& limits,
+double share_cut(const Truth& truth, const PictureSamples& samples, const TraceLimits& limits,
                  std::span<const PixelShare> pixels, RayCounts& rays);
 
 }  // namespace lancer::accuracy

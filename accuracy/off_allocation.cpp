@@ -48,14 +48,15 @@ Step best_step(const Prediction& prediction, std::size_t pixel, std::uint32_t co
 
 }  // namespace
 
-double predicted_off(const Samples& samples, const Prediction& prediction, double threshold) {
+double predicted_off(const PictureSamples& samples, const Prediction& prediction,
+                     double threshold) {
     double sum = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
         sum += chance_off(prediction.of(i, samples.pixels()[i].count), threshold);
     return sum / static_cast<double>(samples.size());
 }
 
-PixelKinds kinds_of(const Samples& samples, const Prediction& prediction, double threshold,
+PixelKinds kinds_of(const PictureSamples& samples, const Prediction& prediction, double threshold,
                     double calm_share) {
     std::vector<double> risks(samples.size());
     for (std::size_t i = 0; i < risks.size(); ++i)
@@ -74,8 +75,8 @@ PixelKinds kinds_of(const Samples& samples, const Prediction& prediction, double
     return {{order.begin(), end}, {end, order.end()}};
 }
 
-OffAllocation allocation_for(const Samples& samples, const Prediction& prediction, double threshold,
-                             double share, double most_rays) {
+OffAllocation allocation_for(const PictureSamples& samples, const Prediction& prediction,
+                             double threshold, double share, double most_rays) {
     const double pixels = static_cast<double>(samples.size());
     OffAllocation result;
     double off = predicted_off(samples, prediction, threshold) * pixels;
@@ -103,7 +104,7 @@ OffAllocation allocation_for(const Samples& samples, const Prediction& predictio
     return result;
 }
 
-bool refine_off(Samples& samples, Prediction& prediction, double threshold, double share,
+bool refine_off(PictureSamples& samples, Prediction& prediction, double threshold, double share,
                 std::uint64_t most_rays, const Progress& progress) {
     for (;;) {
         prediction.score(samples);

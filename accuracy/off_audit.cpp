@@ -50,8 +50,8 @@ Verdict verdict(const Draw& draw, const Color& value, std::uint32_t points, doub
 }
 
 /// Raises every net of these draws from so many points to so many.
-void raise(const Truth& truth, const Samples& samples, std::uint64_t audit, std::span<Draw> draws,
-           std::uint32_t from, std::uint32_t to, RayCounts& rays) {
+void raise(const Truth& truth, const PictureSamples& samples, std::uint64_t audit,
+           std::span<Draw> draws, std::uint32_t from, std::uint32_t to, RayCounts& rays) {
     const std::size_t batch = std::max<std::size_t>(1, batch_size / (nets * (to - from)));
     std::vector<PicturePoint> points;
     std::vector<Color> colors;
@@ -78,7 +78,7 @@ void raise(const Truth& truth, const Samples& samples, std::uint64_t audit, std:
 }
 
 /// Independent draws in the picture's order, which keeps neighbouring rays together.
-std::vector<Draw> drawn(const Samples& samples, const OffPlan& plan, OffCount& count) {
+std::vector<Draw> drawn(const PictureSamples& samples, const OffPlan& plan, OffCount& count) {
     std::vector<Draw> draws;
     std::uint64_t number = 0;
     const auto draw = [&](const std::vector<std::size_t>& pixels, std::uint64_t times,
@@ -118,7 +118,7 @@ std::uint32_t first_points(double threshold) {
 
 }  // namespace
 
-OffCount count_off(const Truth& truth, const Samples& samples, const OffPlan& plan) {
+OffCount count_off(const Truth& truth, const PictureSamples& samples, const OffPlan& plan) {
     OffCount count;
     std::vector<Draw> open = drawn(samples, plan, count);
     std::uint32_t held = 0;
@@ -138,7 +138,7 @@ OffCount count_off(const Truth& truth, const Samples& samples, const OffPlan& pl
 }
 
 OffCount count_left_out(const Truth& truth, const Renderer& renderer, const TraceLimits& limits,
-                        const Samples& samples, const OffPlan& plan) {
+                        const PictureSamples& samples, const OffPlan& plan) {
     OffCount count;
     std::vector<Draw> whole = drawn(samples, plan, count);
     std::vector<Draw> cut = whole;

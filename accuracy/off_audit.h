@@ -51,12 +51,12 @@ struct OffCount {
     std::uint64_t least() const { return step * calm.off + risky.off; }
 };
 
-OffCount count_off(const Truth& truth, const Samples& samples, const OffPlan& plan);
+OffCount count_off(const Truth& truth, const PictureSamples& samples, const OffPlan& plan);
 
 /// The same for what `renderer` and `limits` leave out, however many samples are taken: both sides
 /// take the same points, few, in each drawn pixel. Nothing stays undecided.
 OffCount count_left_out(const Truth& truth, const Renderer& renderer, const TraceLimits& limits,
-                        const Samples& samples, const OffPlan& plan);
+                        const PictureSamples& samples, const OffPlan& plan);
 
 /// A share of the pixels with its interval of 95 %. Undecided ones count as off for its upper end,
 /// and as not off for its lower.

@@ -238,7 +238,7 @@ class Search {
     const OffGoal& goal_;
     const Progress& progress_;
     ErrorReport report_;
-    std::optional<Samples> samples_;
+    std::optional<PictureSamples> samples_;
     Prediction prediction_;
     double most_rays_ = 0;
     double expected_ = 0;  ///< samples of the whole picture, for progress

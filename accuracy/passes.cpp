@@ -27,7 +27,7 @@ std::uint64_t sum(const std::vector<std::uint32_t>& counts) {
 }
 
 /// One audit that decides whether the error is told, and one that is printed.
-void tell(const Truth& truth, const Samples& samples, const Prediction& prediction,
+void tell(const Truth& truth, const PictureSamples& samples, const Prediction& prediction,
           const RareLight& rare, ErrorReport& report) {
     report.audited = true;
     const std::vector<double> predicted = prediction.errors(samples);
@@ -112,7 +112,7 @@ ErrorPicture render_by_passes(const Renderer& renderer, const Truth& truth, cons
     ErrorReport report;
     report.limits =
         cheapest_limits(truth, view, goal.fixed, cut_error * cut_error, goal.seed, report.deciding);
-    Samples samples(renderer, view, report.limits, goal.seed);
+    PictureSamples samples(renderer, view, report.limits, goal.seed);
     Passes passes(samples);
     std::optional<RareLight> rare;
     for (;;) {

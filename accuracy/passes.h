@@ -15,7 +15,7 @@ namespace lancer::accuracy {
 /// the samples of those before.
 class Passes {
   public:
-    explicit Passes(const Samples& samples) : samples_(samples) {}
+    explicit Passes(const PictureSamples& samples) : samples_(samples) {}
 
     /// The numbers of samples after the next pass. Empty: 16 bits show no error that is left.
     std::vector<std::uint32_t> next();
@@ -26,7 +26,7 @@ class Passes {
   private:
     void plan();
 
-    const Samples& samples_;
+    const PictureSamples& samples_;
     int made_ = 0;
     Prediction prediction_;
     double rays_per_draw_ = 32;
@@ -41,10 +41,10 @@ struct PassGoal {
 
 /// What is known before each pass.
 struct PassState {
-    int passes = 0;            ///< that were made
-    const Samples& samples;    ///< every pixel has some after the first pass
-    std::uint64_t rays = 0;    ///< through the image plane, up to now, of all kinds of work
-    std::uint64_t next = 0;    ///< that the next pass will take
+    int passes = 0;                 ///< that were made
+    const PictureSamples& samples;  ///< every pixel has some after the first pass
+    std::uint64_t rays = 0;         ///< through the image plane, up to now, of all kinds of work
+    std::uint64_t next = 0;         ///< that the next pass will take
     std::uint64_t audits = 0;  ///< that audits would take if it were the last; 0: none is wanted
 };
 /// False ends the work before the pass.

@@ -13,7 +13,7 @@ constexpr double from_surroundings = 0.05;
 constexpr double from_everywhere = 0.003;
 
 /// The variance of all samples of the 3 x 3 pixels around one, near ones counting more.
-double variance_around(const Samples& samples, int x, int y) {
+double variance_around(const PictureSamples& samples, int x, int y) {
     Color mean{0, 0, 0};
     double squares = 0;
     double weights = 0;
@@ -69,7 +69,7 @@ std::vector<double> box_means(std::span<const double> values, int width, int hei
     return means;
 }
 
-void Prediction::score(const Samples& samples) {
+void Prediction::score(const PictureSamples& samples) {
     scores_.resize(samples.size());
     double total = 0;
     std::size_t pixel = 0;
@@ -93,14 +93,14 @@ double Prediction::of(std::size_t pixel, double count) const {
     return kappa * scores_[pixel] / (count * std::sqrt(count));
 }
 
-std::vector<double> Prediction::errors(const Samples& samples) const {
+std::vector<double> Prediction::errors(const PictureSamples& samples) const {
     std::vector<double> errors(samples.size());
     for (std::size_t pixel = 0; pixel < errors.size(); ++pixel)
         errors[pixel] = of(pixel, samples.pixels()[pixel].count);
     return errors;
 }
 
-double Prediction::mean_square(const Samples& samples) const {
+double Prediction::mean_square(const PictureSamples& samples) const {
     double sum = 0;
     for (std::size_t pixel = 0; pixel < samples.size(); ++pixel)
         sum += of(pixel, samples.pixels()[pixel].count);

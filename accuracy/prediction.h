@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "accuracy/samples.h"
+#include "accuracy/picture_samples.h"
 
 namespace lancer::accuracy {
 
@@ -19,7 +19,7 @@ class Prediction {
   public:
     /// Scores from the samples as they are. The pixel's own variance counts the more the more
     /// samples it has; until then what its neighbours differ by stands for what it may have missed.
-    void score(const Samples& samples);
+    void score(const PictureSamples& samples);
 
     /// What audits found over what was predicted; begins at a guess.
     double kappa = 0.6;
@@ -27,9 +27,9 @@ class Prediction {
     const std::vector<double>& scores() const { return scores_; }
     double of(std::size_t pixel, double count) const;
     /// For each pixel, at its number of samples.
-    std::vector<double> errors(const Samples& samples) const;
+    std::vector<double> errors(const PictureSamples& samples) const;
     /// Mean of errors() over pixels and channels: the mean squared error.
-    double mean_square(const Samples& samples) const;
+    double mean_square(const PictureSamples& samples) const;
 
   private:
     std::vector<double> scores_;

@@ -16,7 +16,7 @@ struct Surroundings {
     double variance = 0;  ///< of their samples, summed over channels
 };
 
-Surroundings surroundings(const Samples& samples, std::size_t pixel) {
+Surroundings surroundings(const PictureSamples& samples, std::size_t pixel) {
     const auto width = static_cast<std::size_t>(samples.width());
     const int x = static_cast<int>(pixel % width);
     const int y = static_cast<int>(pixel / width);
@@ -52,20 +52,20 @@ bool is_alone(const PixelSums& own, const Surroundings& around) {
 
 }  // namespace
 
-RareLight::RareLight(const Samples& first) {
+RareLight::RareLight(const PictureSamples& first) {
     for (std::size_t pixel = 0; pixel < first.size(); ++pixel)
         if (is_alone(first.pixels()[pixel], surroundings(first, pixel))) pixels_.push_back(pixel);
     if (first.size() > 0) count_ = first.pixels().front().count;
 }
 
-double RareLight::met_alone(const Samples& first) const {
+double RareLight::met_alone(const PictureSamples& first) const {
     double sum = 0;
     for (const std::size_t pixel : pixels_)
         sum += square(first.pixels()[pixel].mean() - surroundings(first, pixel).mean);
     return sum;
 }
 
-Specks RareLight::missed(const Samples& later) const {
+Specks RareLight::missed(const PictureSamples& later) const {
     Specks missed;
     for (const std::size_t pixel : pixels_) {
         const PixelSums& own = later.pixels()[pixel];

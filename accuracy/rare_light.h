@@ -26,16 +26,16 @@ struct Specks {
 class RareLight {
   public:
     /// Looks at a picture whose pixels all have the same number of samples.
-    explicit RareLight(const Samples& first);
+    explicit RareLight(const PictureSamples& first);
 
     /// What those pixels differ by from those around them, squared and summed over channels. The
     /// samples are those that were looked at.
-    double met_alone(const Samples& first) const;
+    double met_alone(const PictureSamples& first) const;
 
     /// Later samples tell which of those pixels are alone indeed, and how likely first samples were
     /// to miss what is in them; each stands for as many as that makes likely (Horvitz and Thompson,
     /// "A generalization of sampling without replacement", JASA 47, 1952).
-    Specks missed(const Samples& later) const;
+    Specks missed(const PictureSamples& later) const;
 
   private:
     std::vector<std::size_t> pixels_;

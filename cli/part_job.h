@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "accuracy/samples.h"
+#include "accuracy/picture_samples.h"
 #include "cli/arguments.h"
 #include "model/io/part_layout.h"
 #include "tracer/render.h"

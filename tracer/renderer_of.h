@@ -8,16 +8,17 @@
 #include "base/parallel.h"
 #include "tracer/compile/compile.h"
 #include "tracer/overflow.h"
+#include "tracer/pixel_samples.h"
 #include "tracer/povray/recursion.h"
 #include "tracer/ray_tree_renderer.h"
 #include "tracer/rays/camera.h"
 #include "tracer/recursion/cut_tracer.h"
 #include "tracer/recursion/recorded_tracer.h"
 #include "tracer/recursion/whitted.h"
-#include "tracer/samples.h"
 #include "tracer/scene/far_camera.h"
 #include "tracer/tile_memory.h"
 #include "tracer/tile_order.h"
+#include "tracer/tile_pixels.h"
 #include "tracer/wide/wide_tracer.h"
 
 namespace lancer {

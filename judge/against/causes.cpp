@@ -33,9 +33,9 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& pixels, std::si
     return kept;
 }
 
-Samples samples_of(const Image& ours, const Image& theirs, const Reading& reading, bool clipped,
-                   double tolerance) {
-    Samples samples;
+TrialPixels samples_of(const Image& ours, const Image& theirs, const Reading& reading, bool clipped,
+                       double tolerance) {
+    TrialPixels samples;
     samples.tolerance = tolerance;
     samples.exposure = reading.exposure;
     samples.clipped = clipped;
@@ -66,7 +66,7 @@ Samples samples_of(const Image& ours, const Image& theirs, const Reading& readin
 /// Keeps the best explanation that convinces; of two that are as good the one found first.
 class Best {
   public:
-    explicit Best(const Samples& samples) : samples_(samples) {}
+    explicit Best(const TrialPixels& samples) : samples_(samples) {}
 
     void consider(Explanation explanation) {
         if (found_) return;
@@ -86,7 +86,7 @@ class Best {
     const std::optional<Cause>& cause() const { return cause_; }
 
   private:
-    const Samples& samples_;
+    const TrialPixels& samples_;
     std::optional<Cause> cause_;
     double gain_ = 0;
     bool found_ = false;
@@ -97,14 +97,14 @@ using Look = std::function<std::vector<Color>(const std::vector<PicturePoint>&)>
 
 /// Looks at all samples only where it may convince: at a few of those that differ it must hold for
 /// more than the chance of drawing them leaves open.
-void consider_look(Best& best, const Samples& samples, std::string words, const Look& look) {
+void consider_look(Best& best, const TrialPixels& samples, std::string words, const Look& look) {
     constexpr std::size_t most_first = 400;
-    const Samples few = few_of(samples, most_first);
+    const TrialPixels few = few_of(samples, most_first);
     if (effect_of(few, {"", look(few.points)}).repaired < 0.75) return;
     best.consider(Explanation{std::move(words), look(samples.points)});
 }
 
-void consider_variant(Best& best, const Samples& samples, const VariantTracer& tracer,
+void consider_variant(Best& best, const TrialPixels& samples, const VariantTracer& tracer,
                       const Scene& original, const SceneVariant& variant) {
     Scene scene = original;
     variant.change(scene);
@@ -167,7 +167,8 @@ bool shift_brings_nearer(const Image& ours, const Image& theirs, const Judgement
 std::optional<Cause> likely_cause(const ValidationJob& job, const Image& ours, const Image& theirs,
                                   const Judgement& judgement, const Reading& reading, bool clipped,
                                   const ProbeFunction& probe) {
-    Samples samples = samples_of(ours, theirs, reading, clipped, job.expect.thresholds.interior);
+    TrialPixels samples =
+        samples_of(ours, theirs, reading, clipped, job.expect.thresholds.interior);
     if (judgement.different.size() < std::max(least_different, judgement.pixels / one_in))
         return std::nullopt;
     const Scene& scene = *job.scene;

@@ -35,7 +35,7 @@ bool brings_anything(const Source& source) {
     });
 }
 
-std::vector<Source> sources_of(const Samples& samples, const VariantTracer& tracer,
+std::vector<Source> sources_of(const TrialPixels& samples, const VariantTracer& tracer,
                                const ValidationJob& job) {
     std::vector<Source> sources;
     const auto add = [&](std::string words, const auto& put_out) {
@@ -51,13 +51,13 @@ std::vector<Source> sources_of(const Samples& samples, const VariantTracer& trac
     return sources;
 }
 
-bool is_clipped(const Samples& samples, std::size_t i, int c) {
+bool is_clipped(const TrialPixels& samples, std::size_t i, int c) {
     return samples.clipped && (samples.ours[i][c] >= 1 || samples.theirs[i][c] >= 1);
 }
 
 /// Solves the normal equations of one channel by Gauss and Jordan with the largest pivots; sources
 /// that cannot be told from others keep 0.
-void fit_channel(const Samples& samples, std::vector<Source>& sources, int c) {
+void fit_channel(const TrialPixels& samples, std::vector<Source>& sources, int c) {
     const std::size_t n = sources.size();
     std::vector<std::vector<double>> rows(n, std::vector<double>(n + 1, 0));
     for (std::size_t i = 0; i < samples.ours.size(); ++i) {
@@ -155,7 +155,7 @@ std::string ours_words(const std::optional<Fade>& fade) {
 
 }  // namespace
 
-std::vector<Explanation> other_lights(const Samples& samples, const VariantTracer& tracer,
+std::vector<Explanation> other_lights(const TrialPixels& samples, const VariantTracer& tracer,
                                       const ValidationJob& job) {
     std::vector<Source> sources = sources_of(samples, tracer, job);
     if (sources.empty()) return {};
@@ -175,7 +175,7 @@ std::vector<Explanation> other_lights(const Samples& samples, const VariantTrace
     return {{fmt::format("{}", fmt::join(words, "; ")), std::move(colors)}};
 }
 
-std::vector<Explanation> other_falloffs(const Samples& samples, const VariantTracer& tracer,
+std::vector<Explanation> other_falloffs(const TrialPixels& samples, const VariantTracer& tracer,
                                         const ValidationJob& job) {
     std::vector<Explanation> found;
     std::vector<std::size_t> placed;  // lights that can fall off

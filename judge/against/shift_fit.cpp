@@ -26,7 +26,7 @@ constexpr std::size_t most_points = 800;  ///< at which places are compared
 
 class ShiftFinder {
   public:
-    ShiftFinder(const Samples& samples, const VariantTracer& tracer, const Scene& scene,
+    ShiftFinder(const TrialPixels& samples, const VariantTracer& tracer, const Scene& scene,
                 const Renderer& renderer)
         : samples_(samples), tracer_(tracer), scene_(scene), renderer_(renderer) {}
 
@@ -126,7 +126,7 @@ class ShiftFinder {
     }
 
   private:
-    const Samples& samples_;
+    const TrialPixels& samples_;
     const VariantTracer& tracer_;
     const Scene& scene_;
     const Renderer& renderer_;
@@ -158,7 +158,7 @@ std::string shift_words(double x, double y, double center_x, double center_y) {
 
 }  // namespace
 
-std::vector<Explanation> turned_pictures(const Samples& samples, const VariantTracer& tracer,
+std::vector<Explanation> turned_pictures(const TrialPixels& samples, const VariantTracer& tracer,
                                          const Scene& scene, const Renderer& renderer) {
     const auto turned = [&](bool x, bool y, const char* words) {
         std::vector<PicturePoint> points = samples.points;
@@ -175,9 +175,10 @@ std::vector<Explanation> turned_pictures(const Samples& samples, const VariantTr
             turned(true, true, "the picture is turned by half a turn")};
 }
 
-Explanation shifted_picture(const Samples& samples, const VariantTracer& tracer, const Scene& scene,
-                            const Renderer& renderer, double center_x, double center_y) {
-    const Samples few = few_of(samples, most_points);
+Explanation shifted_picture(const TrialPixels& samples, const VariantTracer& tracer,
+                            const Scene& scene, const Renderer& renderer, double center_x,
+                            double center_y) {
+    const TrialPixels few = few_of(samples, most_points);
     const ShiftFinder rough(few, tracer, scene, renderer);
     ShiftFinder::Place best{{0, 0}, std::numeric_limits<double>::infinity()};
     for (const ShiftFinder::Place& place : rough.good_places()) {

@@ -18,7 +18,7 @@ constexpr std::size_t least_values = 16;
 
 /// Each of our values as a function has it.
 template <class Map>
-std::vector<Color> mapped(const Samples& samples, const Map& map) {
+std::vector<Color> mapped(const TrialPixels& samples, const Map& map) {
     std::vector<Color> colors = samples.ours;
     for (Color& color : colors)
         for (int c = 0; c < 3; ++c) color[c] = map(color[c], c);
@@ -28,7 +28,7 @@ std::vector<Color> mapped(const Samples& samples, const Map& map) {
 /// The median of what `ratio` says of pairs of values (ours, theirs) in the open range, where
 /// neither is clipped; nothing for too few of them. `channel` -1: of all three.
 template <class Ratio>
-std::optional<double> median(const Samples& samples, int channel, double least, double most,
+std::optional<double> median(const TrialPixels& samples, int channel, double least, double most,
                              const Ratio& ratio) {
     std::vector<double> values;
     for (std::size_t i = 0; i < samples.ours.size(); ++i) {
@@ -52,7 +52,7 @@ double decoded(double v) {
     return v > 0 ? srgb_decode(v) : v;
 }
 
-std::optional<Explanation> another_exponent(const Samples& samples) {
+std::optional<Explanation> another_exponent(const TrialPixels& samples) {
     const auto exponent = median(samples, -1, 0.02, 0.98, [](double a, double b) {
         return elementary::log(b) / elementary::log(a);
     });
@@ -65,12 +65,12 @@ std::optional<Explanation> another_exponent(const Samples& samples) {
         mapped(samples, [&](double v, int) { return v > 0 ? elementary::pow(v, *exponent) : v; })};
 }
 
-std::optional<double> factor_of(const Samples& samples, int channel) {
+std::optional<double> factor_of(const TrialPixels& samples, int channel) {
     const double most = samples.clipped ? 0.9999 : 1e300;
     return median(samples, channel, 0.01, most, [](double a, double b) { return b / a; });
 }
 
-std::optional<Explanation> another_exposure(const Samples& samples) {
+std::optional<Explanation> another_exposure(const TrialPixels& samples) {
     const auto factor = factor_of(samples, -1);
     if (!factor || !(*factor > 0)) return std::nullopt;
     return Explanation{
@@ -80,7 +80,7 @@ std::optional<Explanation> another_exposure(const Samples& samples) {
         mapped(samples, [&](double v, int) { return v * *factor; })};
 }
 
-std::optional<Explanation> another_white(const Samples& samples) {
+std::optional<Explanation> another_white(const TrialPixels& samples) {
     std::array<double, 3> factors{1, 1, 1};
     for (int c = 0; c < 3; ++c) {
         const auto factor = factor_of(samples, c);
@@ -94,7 +94,7 @@ std::optional<Explanation> another_white(const Samples& samples) {
         mapped(samples, [&](double v, int c) { return v * factors[static_cast<std::size_t>(c)]; })};
 }
 
-std::vector<Color> channels_turned(const Samples& samples) {
+std::vector<Color> channels_turned(const TrialPixels& samples) {
     std::vector<Color> colors = samples.ours;
     for (Color& color : colors) std::swap(color.x, color.z);
     return colors;
@@ -109,7 +109,7 @@ std::string factor_text(double factor) {
     return text;
 }
 
-std::vector<Explanation> value_fits(const Samples& samples) {
+std::vector<Explanation> value_fits(const TrialPixels& samples) {
     std::vector<Explanation> found;
     found.push_back(
         {"gamma is applied twice: the values are encoded by the sRGB curve once more than the file "

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "judge/against/samples.h"
+#include "judge/against/trial_pixels.h"
 
 namespace lancer::judge {
 
 /// Curves applied once too often or too seldom, another exponent, a factor for all or for single
 /// channels: those that can be fitted, the plainest first.
-std::vector<Explanation> value_fits(const Samples& samples);
+std::vector<Explanation> value_fits(const TrialPixels& samples);
 
 /// A factor as a text of up to six digits that tells it from 1.
 std::string factor_text(double factor);

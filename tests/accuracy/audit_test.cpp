@@ -27,7 +27,7 @@ TEST(Audit, HasNoBias) {
         const View view = small_view();
         const Image truth = truth_of(plain_picture(name), view);
         const TraceLimits shallow{3, 0};
-        Samples samples(renderer, view, shallow, 7);
+        PictureSamples samples(renderer, view, shallow, 7);
         samples.raise(std::vector<std::uint32_t>(samples.size(), 2), {});
         const double error = rms_difference(samples.image(), truth);
         Prediction prediction;
@@ -52,7 +52,7 @@ TEST(Audit, HasNoBias) {
 TEST(Audit, DrawsOtherPointsForEachNumberAndSeed) {
     const PlainRenderer renderer(plain_picture("balls"));
     const View view = small_view();
-    Samples samples(renderer, view, {}, 7);
+    PictureSamples samples(renderer, view, {}, 7);
     samples.raise(std::vector<std::uint32_t>(samples.size(), 2), {});
     const std::vector<double> even(samples.size(), 1.0);
     const Truth truth{renderer, {}};
@@ -154,7 +154,7 @@ TEST(Bias, IsWhatNoSamplesRemove) {
     const TraceLimits shallow{3, 0};
     RayCounts rays;
     const ErrorEstimate found = bias(renderer, shallow, {renderer, {60, 0}}, view, 3, rays);
-    Samples samples(renderer, view, shallow, 1);
+    PictureSamples samples(renderer, view, shallow, 1);
     samples.raise(std::vector<std::uint32_t>(samples.size(), 256), {});
     const double error = rms_difference(samples.image(), truth_of(plain_picture("hall"), view));
     EXPECT_NEAR(found.rmse, error, 0.1 * error);
@@ -166,7 +166,7 @@ TEST(RareLight, IsNoticedInSparksAlone) {
     view.height = 96;
     for (const PlainPicture& picture : plain_pictures()) {
         const PlainRenderer renderer(picture.formula);
-        Samples samples(renderer, view, {}, 3);
+        PictureSamples samples(renderer, view, {}, 3);
         samples.raise(std::vector<std::uint32_t>(samples.size(), 2), {});
         const RareLight rare(samples);
         Prediction prediction;
@@ -186,7 +186,7 @@ TEST(RareLight, WhatFillsMuchOfAPixelIsNone) {
     view.width = 128;
     view.height = 96;
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
-        Samples samples(renderer, view, {}, seed);
+        PictureSamples samples(renderer, view, {}, seed);
         samples.raise(std::vector<std::uint32_t>(samples.size(), 2), {});
         const RareLight rare(samples);
         Prediction prediction;

@@ -175,9 +175,9 @@ TEST(JoinedReport, SpecksAreRefusedAnInterval) {
 TEST(JoinedReport, PartsDrawApart) {
     const PlainRenderer renderer(plain_picture("balls"));
     const View view = view_of_128();
-    const Samples all(renderer, view, {}, 5);
-    const Samples first(renderer, view, {}, 5, dealt(0, 3, view.height));
-    const Samples second(renderer, view, {}, 5, dealt(1, 3, view.height));
+    const PictureSamples all(renderer, view, {}, 5);
+    const PictureSamples first(renderer, view, {}, 5, dealt(0, 3, view.height));
+    const PictureSamples second(renderer, view, {}, 5, dealt(1, 3, view.height));
     EXPECT_EQ(all.key(1), first.key(1));
     EXPECT_NE(first.key(1), second.key(1));
     EXPECT_EQ(second.row(0), 4);

@@ -85,7 +85,7 @@ TEST(OffTarget, TakesFewerRaysThanEvenOnes) {
     const PlainRenderer renderer(plain_picture("balls"));
     const ErrorPicture picture = rendered(renderer, 0.01, 2, 1);
     const Image truth = truth_of(plain_picture("balls"), view_of_128());
-    Samples even(renderer, view_of_128(), TraceLimits{64, 0}, 1);
+    PictureSamples even(renderer, view_of_128(), TraceLimits{64, 0}, 1);
     even.raise(std::vector<std::uint32_t>(even.size(), 16), {});
     EXPECT_GT(share_off(even.image(), truth, 2), 0.01);
     EXPECT_LT(picture.report.rays_per_pixel, 12);

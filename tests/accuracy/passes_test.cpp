@@ -67,7 +67,7 @@ TEST(Passes, EachTakesFewRaysAndTogetherTheyMendThePicture) {
     // Even samples would need 1.8 times the error for as many rays at the least.
     const PlainRenderer renderer(balls);
     const View view = view_of_128();
-    Samples even(renderer, view, {}, 0);
+    PictureSamples even(renderer, view, {}, 0);
     even.raise(std::vector<std::uint32_t>(pixels, static_cast<std::uint32_t>(held / pixels)), {});
     EXPECT_LT(1.8 * error(119), rms_difference(even.image(), truth));
 }

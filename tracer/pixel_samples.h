@@ -1,25 +1,10 @@
-// Where in a pixel its rays go, and in which order a tile's pixels are taken.
+// Where in a pixel its rays go.
 #pragma once
 
 #include "model/settings.h"
 #include "model/sobol.h"
 
 namespace lancer {
-
-/// Width and height of the tiles that threads are dealt.
-inline constexpr int tile_size = 16;
-
-struct TilePixel {
-    int x, y;
-};
-
-/// The pixel `index` of a tile: neighbours, which rays side by side like, follow each other in
-/// blocks of 4 x 2 within blocks of 8 x 8.
-constexpr TilePixel tile_pixel(int index) {
-    const int block = index / 64;
-    const int part = index % 64 / 8;
-    return {block % 2 * 8 + part % 2 * 4 + index % 4, block / 2 * 8 + part / 2 * 2 + index / 4 % 2};
-}
 
 /// Calls use(x, y) for the points of the pixel at column x, row y of the whole picture that rays go
 /// through, in the order in which their light is summed.

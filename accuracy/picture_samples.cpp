@@ -1,4 +1,4 @@
-#include "accuracy/samples.h"
+#include "accuracy/picture_samples.h"
 
 #include <algorithm>
 
@@ -18,8 +18,9 @@ double PixelSums::variance() const {
     return std::max(0.0, (squares - dot(sum, sum) / n) / (n - 1));
 }
 
-Samples::Samples(const Renderer& renderer, const View& view, const TraceLimits& limits,
-                 std::uint64_t seed, const PictureRows& rows)
+PictureSamples::PictureSamples(const Renderer& renderer, const View& view,
+                               const TraceLimits& limits, std::uint64_t seed,
+                               const PictureRows& rows)
     : renderer_(renderer),
       view_(view),
       limits_(limits),
@@ -34,25 +35,25 @@ Samples::Samples(const Renderer& renderer, const View& view, const TraceLimits& 
     pixels_.resize(static_cast<std::size_t>(crop_.width) * rows_.size());
 }
 
-int Samples::column(std::size_t pixel) const {
+int PictureSamples::column(std::size_t pixel) const {
     return crop_.x + static_cast<int>(pixel % static_cast<std::size_t>(crop_.width));
 }
 
-int Samples::row(std::size_t pixel) const {
+int PictureSamples::row(std::size_t pixel) const {
     return rows_[pixel / static_cast<std::size_t>(crop_.width)];
 }
 
-std::size_t Samples::pixel_at(int column, int row) const {
+std::size_t PictureSamples::pixel_at(int column, int row) const {
     const auto y = std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin();
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(crop_.width) +
            static_cast<std::size_t>(column - crop_.x);
 }
 
-std::uint64_t Samples::key(std::uint64_t stream) const {
+std::uint64_t PictureSamples::key(std::uint64_t stream) const {
     return pixel_key(seed_, -1, -1 - part_, stream);
 }
 
-void Samples::trace(const std::vector<Run>& runs, const std::vector<PicturePoint>& points) {
+void PictureSamples::trace(const std::vector<Run>& runs, const std::vector<PicturePoint>& points) {
     std::vector<Color> colors(points.size());
     renderer_.trace(view_, points, limits_, colors, {}, rays_);
     std::size_t next = 0;
@@ -60,7 +61,7 @@ void Samples::trace(const std::vector<Run>& runs, const std::vector<PicturePoint
         for (std::uint32_t i = 0; i < run.points; ++i) pixels_[run.pixel].add(colors[next++]);
 }
 
-void Samples::raise(std::span<const std::uint32_t> wanted, const Progress& progress) {
+void PictureSamples::raise(std::span<const std::uint32_t> wanted, const Progress& progress) {
     std::vector<Run> runs;
     std::vector<PicturePoint> points;
     for (std::size_t pixel = 0; pixel < size(); ++pixel) {
@@ -81,7 +82,7 @@ void Samples::raise(std::span<const std::uint32_t> wanted, const Progress& progr
     }
 }
 
-Image Samples::image() const {
+Image PictureSamples::image() const {
     Image image(width(), height());
     for (std::size_t pixel = 0; pixel < size(); ++pixel) {
         const Color mean = pixels_[pixel].mean();

@@ -1,4 +1,4 @@
-#include "judge/against/samples.h"
+#include "judge/against/trial_pixels.h"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@
 
 namespace lancer::judge {
 
-Samples few_of(const Samples& samples, std::size_t most) {
-    Samples few = samples;
+TrialPixels few_of(const TrialPixels& samples, std::size_t most) {
+    TrialPixels few = samples;
     few.points.clear();
     few.ours.clear();
     few.theirs.clear();
@@ -36,14 +36,14 @@ std::vector<Color> VariantTracer::trace(const Renderer& renderer, const Settings
     return colors;
 }
 
-Color as_held(const Color& color, const Samples& samples) {
+Color as_held(const Color& color, const TrialPixels& samples) {
     if (!samples.clipped) return color;
     Color held = color;
     for (int c = 0; c < 3; ++c) held[c] = std::clamp(held[c], 0.0, 1.0);
     return held;
 }
 
-Effect effect_of(const Samples& samples, const Explanation& explanation) {
+Effect effect_of(const TrialPixels& samples, const Explanation& explanation) {
     std::size_t repaired = 0;
     std::size_t spoilt = 0;
     std::size_t different = 0;

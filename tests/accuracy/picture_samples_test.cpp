@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "accuracy/allocation.h"
+#include "accuracy/picture_samples.h"
 #include "accuracy/prediction.h"
-#include "accuracy/samples.h"
 #include "tests/accuracy/plain_pictures.h"
 
 namespace lancer::accuracy {
@@ -22,25 +22,25 @@ class Sampled : public testing::Test {
     PlainRenderer renderer_{plain_picture("balls")};
 };
 
-std::vector<std::uint32_t> everywhere(const Samples& samples, std::uint32_t count) {
+std::vector<std::uint32_t> everywhere(const PictureSamples& samples, std::uint32_t count) {
     return std::vector<std::uint32_t>(samples.size(), count);
 }
 
 TEST_F(Sampled, APixelsSamplesDoNotDependOnHowTheyWereTaken) {
-    Samples at_once(renderer_, view_, {}, 5);
+    PictureSamples at_once(renderer_, view_, {}, 5);
     at_once.raise(everywhere(at_once, 8), {});
-    Samples in_steps(renderer_, view_, {}, 5);
+    PictureSamples in_steps(renderer_, view_, {}, 5);
     for (const std::uint32_t n : {1U, 2U, 4U, 8U}) in_steps.raise(everywhere(in_steps, n), {});
     EXPECT_EQ(at_once.image().data, in_steps.image().data);
     EXPECT_EQ(in_steps.rays().primary, 8 * at_once.size());
 
     View part = view_;
     part.crop = Crop{5, 7, 4, 3};
-    Samples cropped(renderer_, part, {}, 5);
+    PictureSamples cropped(renderer_, part, {}, 5);
     cropped.raise(everywhere(cropped, 8), {});
     EXPECT_EQ(cropped.image().pixel(1, 2)[0], at_once.image().pixel(6, 9)[0]);
 
-    Samples other(renderer_, view_, {}, 6);
+    PictureSamples other(renderer_, view_, {}, 6);
     other.raise(everywhere(other, 8), {});
     EXPECT_NE(at_once.image().data, other.image().data);
 }
@@ -72,7 +72,7 @@ TEST(BoxMeans, AreMeansAlsoAtTheBorders) {
 TEST_F(Sampled, MoreRaysGoWhereThePictureIsRough) {
     view_.width = 128;
     view_.height = 96;
-    Samples samples(renderer_, view_, {}, 1);
+    PictureSamples samples(renderer_, view_, {}, 1);
     samples.raise(everywhere(samples, 2), {});
     Prediction prediction;
     prediction.score(samples);
@@ -87,7 +87,7 @@ TEST_F(Sampled, MoreRaysGoWhereThePictureIsRough) {
 }
 
 TEST_F(Sampled, RefiningStopsBeforeTheCap) {
-    Samples samples(renderer_, view_, {}, 1);
+    PictureSamples samples(renderer_, view_, {}, 1);
     samples.raise(everywhere(samples, 2), {});
     Prediction prediction;
     EXPECT_FALSE(refine(samples, prediction, 1e-12, 5000, {}));
@@ -95,7 +95,7 @@ TEST_F(Sampled, RefiningStopsBeforeTheCap) {
 }
 
 TEST_F(Sampled, RaysForAnErrorAndTheErrorForRaysAreInverse) {
-    Samples samples(renderer_, view_, {}, 1);
+    PictureSamples samples(renderer_, view_, {}, 1);
     samples.raise(everywhere(samples, 2), {});
     Prediction prediction;
     prediction.score(samples);

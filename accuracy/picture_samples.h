@@ -37,12 +37,12 @@ struct PictureRows {
 
 /// A picture whose pixels have as many samples as each needs, at its own Owen-scrambled Sobol
 /// points. What a pixel holds depends on its place, the seed and the number of its samples alone.
-class Samples {
+class PictureSamples {
   public:
     /// The renderer and the view must outlive the object. With a crop the picture is that part;
     /// with `rows` these of it, laid one below the other.
-    Samples(const Renderer& renderer, const View& view, const TraceLimits& limits,
-            std::uint64_t seed, const PictureRows& rows = {});
+    PictureSamples(const Renderer& renderer, const View& view, const TraceLimits& limits,
+                   std::uint64_t seed, const PictureRows& rows = {});
 
     int width() const { return crop_.width; }
     int height() const { return static_cast<int>(rows_.size()); }

@@ -12,7 +12,7 @@
 namespace lancer::judge {
 
 /// Some pixels of a picture: those that differ, and others that must not be spoilt.
-struct Samples {
+struct TrialPixels {
     std::vector<PicturePoint> points;  ///< where the other program is taken to look
     std::vector<Color> ours;
     std::vector<Color> theirs;
@@ -23,12 +23,12 @@ struct Samples {
 };
 
 /// Every n-th of the points that differ, so that there are about `most`.
-Samples few_of(const Samples& samples, std::size_t most);
+TrialPixels few_of(const TrialPixels& samples, std::size_t most);
 
 /// Scene variants and points → light, in the units of the other picture.
 class VariantTracer {
   public:
-    VariantTracer(const View& view, const Samples& samples) : view_(view), samples_(samples) {}
+    VariantTracer(const View& view, const TrialPixels& samples) : view_(view), samples_(samples) {}
 
     /// What `scene` has at the samples' points. An exception is the scene's (SceneError).
     std::vector<Color> trace(const Scene& scene) const;
@@ -39,7 +39,7 @@ class VariantTracer {
 
   private:
     View view_;
-    const Samples& samples_;
+    const TrialPixels& samples_;
 };
 
 /// An explanation: what to say, and what the picture would be by it.
@@ -62,9 +62,9 @@ struct Effect {
 };
 
 /// Its colours are not clipped yet.
-Effect effect_of(const Samples& samples, const Explanation& explanation);
+Effect effect_of(const TrialPixels& samples, const Explanation& explanation);
 
 /// A value as the other picture would hold it.
-Color as_held(const Color& color, const Samples& samples);
+Color as_held(const Color& color, const TrialPixels& samples);
 
 }  // namespace lancer::judge
