@@ -20,14 +20,14 @@ class RayTreeJson {
         static constexpr const char* kinds[] = {"camera", "mirrored", "refracted",
                                                 "total reflection"};
         static constexpr const char* ends[] = {"bent",      "background",       "opaque",
-                                               "max_depth", "min_contribution", "passes"};
+                                               "max_depth", "min_contribution", "surfaces"};
         Json json;
         json["kind"] = kinds[static_cast<std::size_t>(ray.kind)];
         json["origin"] = vector_json(ray.origin);
         json["direction"] = vector_json(ray.direction);
         json["inside"] = of(ray.inside);
         json["weight"] = ray.weight;
-        json["level"] = ray.level;
+        json["depth"] = ray.depth;
         json["contacts"] = list_of(ray.contacts);
         json["end"] = ends[static_cast<std::size_t>(ray.end)];
         if (ray.end == RayTree::End::background) json["background_share"] = vector_json(ray.share);

@@ -65,7 +65,7 @@ class RayTreeText {
         if (!ray.inside.empty()) line(depth, "inside of " + names_of(ray.inside));
         const std::vector<std::uint32_t>* inside = &ray.inside;
         for (const RayTree::Contact& contact : ray.contacts) {
-            tell(contact, ray.level, depth);
+            tell(contact, ray.depth, depth);
             if (contact.inside != *inside && contact.bent == none)
                 line(depth + 1, contact.inside.empty()
                                     ? "behind it: not inside of anything"
@@ -96,7 +96,7 @@ class RayTreeText {
             case RayTree::End::weight:
                 line(depth, "ends: " + why_not(ray.end_weight, ray.end == RayTree::End::depth));
                 return;
-            case RayTree::End::passes:
+            case RayTree::End::surfaces:
                 line(depth, "ends: it has passed through too many surfaces");
                 return;
         }
@@ -107,7 +107,7 @@ class RayTreeText {
                            scene_.settings.min_contribution);
     }
 
-    void tell(const RayTree::Contact& contact, int level, std::size_t depth) {
+    void tell(const RayTree::Contact& contact, int ray_depth, std::size_t depth) {
         for (const RayTree::Hit& hit : contact.hits)
             line(depth, fmt::format("at {:.9g} (error below {:.2g}) it hits the {} of {}, face {}",
                                     hit.t, hit.t_error, hit.entering ? "outside" : "inside",
@@ -115,7 +115,7 @@ class RayTreeText {
         if (contact.surfaces.empty())
             line(depth + 1, "the same medium on both sides: the surface is not visible");
         for (const RayTree::Surface& surface : contact.surfaces)
-            tell(surface, contact.hits.size() > 1, level, depth + 1);
+            tell(surface, contact.hits.size() > 1, ray_depth, depth + 1);
         if (contact.bent == none) return;
         const RayTree::Ray& next = tree_.rays[contact.bent];
         line(depth + 1,
@@ -129,7 +129,7 @@ class RayTreeText {
         tell(next, depth + 2);
     }
 
-    void tell(const RayTree::Surface& surface, bool is_one_of_several, int level,
+    void tell(const RayTree::Surface& surface, bool is_one_of_several, int ray_depth,
               std::size_t depth) {
         if (is_one_of_several) line(depth, "the visible surface is that of " + name_of(surface.of));
         line(depth, fmt::format("point {} (error below {:.2g}), normal {}", in_words(surface.point),
@@ -149,7 +149,7 @@ class RayTreeText {
             tell(tree_.rays[surface.mirrored], depth + 1);
         } else if (!tree_.is_cut) {
             line(depth + 1, "not followed: " + why_not(surface.mirror_weight,
-                                                       level + 1 >= scene_.settings.max_depth));
+                                                       ray_depth + 1 >= scene_.settings.max_depth));
         }
     }
 

@@ -36,11 +36,11 @@ double standard_error(double noise, std::size_t runs) {
     return median_over_mean * noise / std::sqrt(static_cast<double>(runs));
 }
 
-/// What costs: a picture, a level, a ray.
+/// What costs: a picture, a step of depth, a ray.
 using Row = std::array<double, 3>;
 
 Row row_of(const TimedSetting& setting) {
-    return {1, static_cast<double>(setting.levels), counted(setting.rays)};
+    return {1, static_cast<double>(setting.max_depth), counted(setting.rays)};
 }
 
 double dot(const Row& a, const Row& b) {
@@ -112,7 +112,7 @@ double median_of(std::vector<double> values) {
 }
 
 double RaySeconds::of(const TimedSetting& setting) const {
-    return dot({picture, level, ray}, row_of(setting));
+    return dot({picture, depth, ray}, row_of(setting));
 }
 
 SteadyCosts steady_costs(std::span<const TimedSetting> settings) {

@@ -17,16 +17,16 @@ struct TimedSetting {
     /// What makes a ray cheaper or dearer: digits, triangles in place of true surfaces ... Rays are
     /// fitted to the way of the first setting; other ways are that times a factor.
     std::string way;
-    int levels = 0;  ///< of the recursion: threads keep room for as many
+    int max_depth = 0;  ///< of the recursion: threads keep room for as many levels
     RayCounts rays;
     std::vector<double> seconds;  ///< of the processor, one a round; a round runs all settings
 };
 
-/// What a picture takes, what each level adds that may be gone to, and each ray. One to a light,
+/// What a picture takes, what each step of the largest depth adds, and each ray. One to a light,
 /// which brings no shading, counts half.
 struct RaySeconds {
     double picture = 0;
-    double level = 0;
+    double depth = 0;
     double ray = 0;
 
     double of(const TimedSetting& setting) const;

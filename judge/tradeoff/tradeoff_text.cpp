@@ -60,7 +60,7 @@ Json json_of(const TradeOffReport& r) {
               {"time_noise", r.time_noise},
               {"ray_seconds",
                {{"picture", r.ray_seconds.picture},
-                {"level", r.ray_seconds.level},
+                {"depth", r.ray_seconds.depth},
                 {"ray", r.ray_seconds.ray}}},
               {"truth",
                {{"rays_per_pixel", r.truth_points},

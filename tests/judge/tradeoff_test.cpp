@@ -110,7 +110,7 @@ std::vector<TimedSetting> timed(double noise, unsigned seed) {
             for (const std::uint64_t depth : {1U, 2U, 4U, 8U}) {
                 TimedSetting s;
                 s.way = single ? "single" : "double";
-                s.levels = static_cast<int>(depth);
+                s.max_depth = static_cast<int>(depth);
                 s.rays = {1000 * samples, 700 * samples * (depth + 1), 400 * samples * depth, 0};
                 all.push_back(s);
             }

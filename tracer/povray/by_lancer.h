@@ -31,7 +31,9 @@ class ByLancer {
 
     // --- Which rays are followed
 
-    static bool is_level_asked(int level, int levels, bool /*straight*/) { return level < levels; }
+    static bool is_depth_asked(int depth, int max_depth, bool /*straight*/) {
+        return depth < max_depth;
+    }
     static bool passes_on(const Surface<Real>& s, const Vec3<Real>& /*transmittance*/,
                           const TraceLimits& /*limits*/) {
         return max_component(s.transmittance) > 0;

@@ -32,10 +32,10 @@ class ByPovRay {
 
     // --- Which rays are followed
 
-    /// A ray that passes straight through keeps its level, but POV-Ray asks again: on the last one
+    /// A ray that passes straight through keeps its depth, but POV-Ray asks again: on the last one
     /// it brings nothing.
-    static bool is_level_asked(int level, int levels, bool straight) {
-        return level + (straight ? 1 : 0) < std::min(levels, 256);
+    static bool is_depth_asked(int depth, int max_depth, bool straight) {
+        return depth + (straight ? 1 : 0) < std::min(max_depth, 256);
     }
     /// \param transmittance  with what the mirror left
     static bool passes_on(const Surface<Real>& /*s*/, const Vec3<Real>& transmittance,

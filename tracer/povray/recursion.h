@@ -64,14 +64,14 @@ class SecondTracer {
     using Step = Crossed<Real, Rules>;
 
     /// \param start  the ray's parameter there
-    /// \param level  rays that led to this one
-    Vec3<Real> trace(Ray<Real> ray, Real start, Rules around, Real weight, int level) {
+    /// \param depth  rays that led to this one
+    Vec3<Real> trace(Ray<Real> ray, Real start, Rules around, Real weight, int depth) {
         Vec3<Real> result(0);
         Vec3<Real> through(1);
         bool straight = false;
-        for (int passes = 0; passes < max_straight_passes; ++passes) {
+        for (int in_line = 0; in_line < max_surfaces_in_line; ++in_line) {
             if (weight < static_cast<Real>(limits_.min_contribution)) break;
-            if (!Rules::is_level_asked(level, limits_.max_depth, straight)) break;
+            if (!Rules::is_depth_asked(depth, limits_.max_depth, straight)) break;
             const auto hit = first_hit(world_, ray, start + around.nearest_hit(ray),
                                        start + around.farthest_hit(), Shadows::ignore);
             if (!hit) {
@@ -109,14 +109,14 @@ class SecondTracer {
                 result +=
                     through * mirror *
                     trace(ray_from(s, direction), 0, Rules::leaving(c, after, s, direction, false),
-                          weight * max_component(mirror), level + 1);
+                          weight * max_component(mirror), depth + 1);
             }
             if (!passes_on) break;
             through = through * around.left_behind(s, way);
             if (!c.total) through = through * transmittance;
             weight *= max_component(Rules::weight_behind(s, transmittance, c.total));
             if (!straight) ++(c.total ? lighting_.counts.reflected : lighting_.counts.transmitted);
-            if (!straight) ++level;
+            if (!straight) ++depth;
             around = Rules::leaving(c, after, s, c.bent, !c.total);
             ray = ray_from(s, c.bent);
             start = 0;

@@ -93,7 +93,7 @@ struct RayTree {
         opaque,      ///< nothing comes from behind its last contact
         depth,       ///< Settings::max_depth
         weight,      ///< Settings::min_contribution
-        passes,      ///< too many surfaces in a straight line
+        surfaces,    ///< too many surfaces in a straight line
     };
 
     struct Ray {
@@ -102,7 +102,7 @@ struct RayTree {
         Vec3d direction{0, 0, 0};
         std::vector<std::uint32_t> inside;  ///< objects around its start, the last one counts
         double weight = 1;  ///< largest channel of each factor on the way here, multiplied
-        int level = 0;      ///< reflections and bends so far
+        int depth = 0;      ///< reflections and bends so far
         std::vector<Contact> contacts;
         End end = End::open;
         Color share{0, 0, 0};   ///< background: of its light in the ray tree's colour

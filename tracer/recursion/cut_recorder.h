@@ -34,7 +34,7 @@ class CutRecorder : public Unrecorded {
     void end_at_limit(const Vec3<Real>& through, Real, int) {
         *share_ += factors_.back() * through;
     }
-    void end_after_passes(const Vec3<Real>& through) { *share_ += factors_.back() * through; }
+    void end_after_surfaces(const Vec3<Real>& through) { *share_ += factors_.back() * through; }
 
   private:
     void begin_call(const Vec3<Real>& factor) { factors_.push_back(factor); }

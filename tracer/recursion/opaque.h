@@ -10,10 +10,10 @@ namespace lancer {
 /// Beyond the limits a ray brings black, so it need not be cast.
 ///
 /// \param weight  product along the way of the largest channel of each factor
-/// \param level   reflections and bends so far
+/// \param depth   reflections and bends so far
 template <class Real>
-bool is_followed(const TraceLimits& limits, Real weight, int level) {
-    return level < limits.max_depth && weight >= static_cast<Real>(limits.min_contribution);
+bool is_followed(const TraceLimits& limits, Real weight, int depth) {
+    return depth < limits.max_depth && weight >= static_cast<Real>(limits.min_contribution);
 }
 
 /// Fresnel's reflectance of an opaque surface, which no list of bodies tracks: it has its own index
@@ -60,26 +60,26 @@ class OpaqueTracer {
     }
 
     /// The colour that any ray brings.
-    Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, Real weight, int level) {
+    Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, Real weight, int depth) {
         const NoMedia nowhere;
-        lighting_.recorder.start(ray, start.t, nowhere, weight, level);
-        if (!is_followed(limits_, weight, level)) {
-            lighting_.recorder.end_at_limit(Vec3<Real>(1), weight, level);
+        lighting_.recorder.start(ray, start.t, nowhere, weight, depth);
+        if (!is_followed(limits_, weight, depth)) {
+            lighting_.recorder.end_at_limit(Vec3<Real>(1), weight, depth);
             return Vec3<Real>{};
         }
         Contact<Real> contact = nearest_contact(world_, ray, start, nowhere);
         if (contact.empty()) {
             lighting_.note(none);
             lighting_.recorder.end_in_background(Vec3<Real>(1));
-            if (level > 0 || seen_through == nullptr) return color_behind(world_, ray.dir);
+            if (depth > 0 || seen_through == nullptr) return color_behind(world_, ray.dir);
             *seen_through = Vec3<Real>(1);
             return Vec3<Real>(0);
         }
-        return shade(ray, contact, weight, level);
+        return shade(ray, contact, weight, depth);
     }
 
     /// The same for a ray that meets this first; not empty.
-    Vec3<Real> shade(const Ray<Real>& ray, Contact<Real>& contact, Real weight, int level) {
+    Vec3<Real> shade(const Ray<Real>& ray, Contact<Real>& contact, Real weight, int depth) {
         const NoMedia nowhere;
         const Real t = contact.front().t;
         order_contact(world_, contact);
@@ -98,7 +98,7 @@ class OpaqueTracer {
 
         const Vec3<Real> mirror = mirror_of(s, ray);
         const Real mirror_weight = max_component(mirror);
-        if (mirror_weight > 0 && is_followed(limits_, weight * mirror_weight, level + 1)) {
+        if (mirror_weight > 0 && is_followed(limits_, weight * mirror_weight, depth + 1)) {
             ++lighting_.counts.reflected;
             lighting_.recorder.begin_mirrored(Vec3<Real>(1), Vec3<Real>(1), mirror,
                                               weight * mirror_weight);
@@ -106,7 +106,7 @@ class OpaqueTracer {
                 make_ray(s.position, s.position_lo, mirrored(ray.dir, s.normal), s.error);
             result +=
                 mirror * trace(reflected, {0, std::move(touched), left_for_good(s, reflected.dir)},
-                               weight * mirror_weight, level + 1);
+                               weight * mirror_weight, depth + 1);
             lighting_.recorder.end_call();
         } else {
             lighting_.recorder.skip_mirrored(mirror, weight * mirror_weight);

@@ -53,7 +53,7 @@ class RayTreeRecorder {
     }
 
     /// \param t  of the ray: what its length is counted from
-    void start(const Ray<Real>& ray, Real t, const auto& bodies, Real weight, int level) {
+    void start(const Ray<Real>& ray, Real t, const auto& bodies, Real weight, int depth) {
         if (!is_open()) return;
         RayTree::Ray& r = own();
         start_ = t;
@@ -61,13 +61,13 @@ class RayTreeRecorder {
         r.direction = color(ray.dir);
         r.inside = objects_of(bodies);
         r.weight = static_cast<double>(weight);
-        r.level = level;
+        r.depth = depth;
     }
 
     /// is_followed() said no. The colours are the product of all factors since the call began.
-    void end_at_limit(const Vec3<Real>&, Real weight, int level) {
+    void end_at_limit(const Vec3<Real>&, Real weight, int depth) {
         if (!is_open()) return;
-        own().end = level < limits_.max_depth ? RayTree::End::weight : RayTree::End::depth;
+        own().end = depth < limits_.max_depth ? RayTree::End::weight : RayTree::End::depth;
         own().end_weight = static_cast<double>(weight);
     }
     /// \param share  that the way to infinity leaves
@@ -79,8 +79,8 @@ class RayTreeRecorder {
     void end_opaque() {
         if (is_open()) own().end = RayTree::End::opaque;
     }
-    void end_after_passes(const Vec3<Real>&) {
-        if (is_open()) own().end = RayTree::End::passes;
+    void end_after_surfaces(const Vec3<Real>&) {
+        if (is_open()) own().end = RayTree::End::surfaces;
     }
 
     /// \param hits     ordered

@@ -11,9 +11,9 @@
 
 namespace lancer {
 
-/// Straight passes (glass of the surrounding index, sheets) that one ray may make; they cost no
+/// Surfaces that a ray may pass straight (glass of the surrounding index, sheets); they cost no
 /// depth.
-inline constexpr int max_straight_passes = 1000;
+inline constexpr int max_surfaces_in_line = 1000;
 
 /// Traces rays through one world of which some lets light through. One object per thread: it counts
 /// what it does.
@@ -48,13 +48,13 @@ class Whitted {
     /// The colour that a ray brings, which the surface that it starts on has turned into this
     /// direction, term by term: the sum of what add() gets, in this order, from 0 on.
     ///
-    /// \param weight, level  see is_followed()
+    /// \param weight, depth  see is_followed()
     /// \param through  what the surfaces and media before let pass
     template <class Add>
     void follow(const Ray<Real>& ray, const Start<Real>& start, const Media& media, Real weight,
-                int level, const Vec3<Real>& through, const Add& add) {
+                int depth, const Vec3<Real>& through, const Add& add) {
         const SurfaceId turn = start.surfaces.empty() ? SurfaceId{} : start.surfaces.front();
-        follow(ray, start, media, weight, level, turn, through, add);
+        follow(ray, start, media, weight, depth, turn, through, add);
     }
 
   private:
@@ -62,21 +62,21 @@ class Whitted {
 
     /// \param turn  the surface that turned the ray into this direction
     Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, const Media& media,
-                     Real weight, int level, const SurfaceId& turn) {
+                     Real weight, int depth, const SurfaceId& turn) {
         Vec3<Real> result(0);
-        follow(ray, start, media, weight, level, turn, Vec3<Real>(1),
+        follow(ray, start, media, weight, depth, turn, Vec3<Real>(1),
                [&](const Vec3<Real>& light) { result += light; });
         return result;
     }
 
     template <class Add>
-    void follow(Ray<Real> ray, Start<Real> start, Media media, Real weight, int level,
+    void follow(Ray<Real> ray, Start<Real> start, Media media, Real weight, int depth,
                 SurfaceId turn, Vec3<Real> through, const Add& add) {
         RayCounts& counts = lighting_.counts;
-        int straight_passes{};
-        lighting_.recorder.start(ray, start.t, media, weight, level);
-        bool looks_ahead = level == 0 && seen_through != nullptr;
-        while (is_followed(limits_, weight, level)) {
+        int surfaces_in_line{};
+        lighting_.recorder.start(ray, start.t, media, weight, depth);
+        bool looks_ahead = depth == 0 && seen_through != nullptr;
+        while (is_followed(limits_, weight, depth)) {
             Contact<Real> contact = adjacent_face_hit(world_, ray, turn, media.bodies);
             const bool at_once = !contact.empty();
             if (!at_once) contact = nearest_contact(world_, ray, start, media.bodies);
@@ -112,7 +112,7 @@ class Whitted {
                 if (lighting_.record != nullptr) lighting_.record->remember(surfaces.front(), t);
                 bend(surfaces.front(), c);
                 lighting_.recorder.bend(c.ratio, c.total);
-                share = shade(surfaces, c, through, weight, level, add);
+                share = shade(surfaces, c, through, weight, depth, add);
             }
             if (share.ended) {
                 lighting_.recorder.end_opaque();
@@ -121,16 +121,16 @@ class Whitted {
             through = through * share.light;
             weight *= share.weight;
             if (c.ratio == 1) {
-                if (++straight_passes > max_straight_passes) {
-                    lighting_.recorder.end_after_passes(through);
+                if (++surfaces_in_line > max_surfaces_in_line) {
+                    lighting_.recorder.end_after_surfaces(through);
                     return;
                 }
                 media = after;
                 start = {t, std::move(touched), start.left, false};
                 continue;
             }
-            if (!is_followed(limits_, weight, level + 1)) {
-                lighting_.recorder.end_at_limit(through, weight, level + 1);
+            if (!is_followed(limits_, weight, depth + 1)) {
+                lighting_.recorder.end_at_limit(through, weight, depth + 1);
                 return;
             }
             ++(c.total ? counts.reflected : counts.transmitted);
@@ -142,10 +142,10 @@ class Whitted {
             media = std::move(next);
             start = {0, std::move(touched), left_for_good(front, ray.dir)};
             turn = front.id;
-            ++level;
-            lighting_.recorder.start(ray, start.t, media, weight, level);
+            ++depth;
+            lighting_.recorder.start(ray, start.t, media, weight, depth);
         }
-        lighting_.recorder.end_at_limit(through, weight, level);
+        lighting_.recorder.end_at_limit(through, weight, depth);
     }
 
     /// What is around a ray that leaves a surface. Where it is follows from the geometric normal;
@@ -176,7 +176,7 @@ class Whitted {
     /// Adds what the contact itself sends, and what it mirrors.
     template <class Add>
     Share shade(const Surfaces<Real>& surfaces, const Step& c, const Vec3<Real>& through,
-                Real weight, int level, const Add& add) {
+                Real weight, int depth, const Add& add) {
         Share share;
         // One optical step in a contact, so one Fresnel term.
         const auto weighted =
@@ -197,14 +197,14 @@ class Whitted {
             if (s.finish->fresnel)
                 mirror = &s == &*weighted ? mirror * fresnel(s, c) : Vec3<Real>{};
             const Real mirror_weight = weight * share.weight * max_component(mirror);
-            if (max_component(mirror) > 0 && is_followed(limits_, mirror_weight, level + 1)) {
+            if (max_component(mirror) > 0 && is_followed(limits_, mirror_weight, depth + 1)) {
                 ++lighting_.counts.reflected;
                 lighting_.recorder.begin_mirrored(through, share.light, mirror, mirror_weight);
                 const Vec3<Real> direction = mirrored(c.ray.dir, s.normal);
                 const Ray<Real> ray = make_ray(s.position, s.position_lo, direction, s.error);
                 add(through * share.light * mirror *
                     trace(ray, {0, c.touched, left_for_good(s, direction)},
-                          leaving(s, c, direction, false), mirror_weight, level + 1, s.id));
+                          leaving(s, c, direction, false), mirror_weight, depth + 1, s.id));
                 lighting_.recorder.end_call();
             } else {
                 lighting_.recorder.skip_mirrored(mirror, mirror_weight);

@@ -18,7 +18,7 @@ struct Unrecorded {
     void end_at_limit(const auto&...) const {}
     void end_in_background(const auto&...) const {}
     void end_opaque() const {}
-    void end_after_passes(const auto&...) const {}
+    void end_after_surfaces(const auto&...) const {}
     void meet(const auto&...) const {}
     void bend(const auto&...) const {}
     void shade(const auto&...) const {}
