@@ -61,15 +61,15 @@ struct LightSink {
 class ExactMethods {
   public:
     /// The light that a ray brings; in worlds without glassy items, as `shade`.
-    virtual void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
+    virtual void trace(const LaneRay& ray, const LaneStart& start, double weight, int depth,
                        double* color) = 0;
     /// The same where there are glassy items, term by term.
     ///
     /// \param through  what the surfaces before let pass of it
-    virtual void follow(const LaneRay& ray, const LaneStart& start, double weight, int level,
+    virtual void follow(const LaneRay& ray, const LaneStart& start, double weight, int depth,
                         const double* through, const LightSink& sink) = 0;
     /// The light that a ray brings where it is known what it meets first.
-    virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
+    virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int depth,
                        double* color) = 0;
     /// What a ray brings that hits nothing.
     virtual void behind(const double* direction, double* color) = 0;

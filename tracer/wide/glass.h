@@ -5,19 +5,19 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// Where bent rays of a level wait, and mirrored ones: apart, neighbours stay more alike.
-LANCER_INLINE Wave* bent_wave(Job& job, int level) {
-    return job.wave(job.waves, 2 * level);
+/// Where bent rays of a depth wait, and mirrored ones: apart, neighbours stay more alike.
+LANCER_INLINE Wave* bent_wave(Job& job, int depth) {
+    return job.wave(job.waves, 2 * depth);
 }
-LANCER_INLINE Wave* mirrored_wave(Job& job, int level) {
-    return job.wave(job.waves, 2 * level + 1);
+LANCER_INLINE Wave* mirrored_wave(Job& job, int depth) {
+    return job.wave(job.waves, 2 * depth + 1);
 }
 
 /// Traces the rays of a wave from `at` on, eight at most.
 class GlassPacket {
   public:
-    GlassPacket(Job& job, Wave& wave, int level, int at)
-        : job_(job), scene_(*job.scene), ledger_(*job.ledger), wave_(wave), level_(level), at_(at) {
+    GlassPacket(Job& job, Wave& wave, int depth, int at)
+        : job_(job), scene_(*job.scene), ledger_(*job.ledger), wave_(wave), depth_(depth), at_(at) {
         const int rest = wave_.count - at_;
         active_ = rest >= lanes ? 255U : (1U << rest) - 1;
         rays_ = make_rays(load(wave_.origin, at_), load(wave_.origin_lo, at_), load(wave_.dir, at_),
@@ -116,7 +116,7 @@ class GlassPacket {
                                  }};
             const double through[] = {lane(through_.x, i), lane(through_.y, i),
                                       lane(through_.z, i)};
-            job_.exact->follow(lane_ray(rays_, i), starts_.lane(i), wave_.weight[at_ + i], level_,
+            job_.exact->follow(lane_ray(rays_, i), starts_.lane(i), wave_.weight[at_ + i], depth_,
                                through, sink);
         });
     }
@@ -206,7 +206,7 @@ class GlassPacket {
         const Mask sent = is_followed(weight, clear);
         if (sent == 0) return;
         const Vectors through = select(total, through_, through_ * factor);
-        send(*bent_wave(job_, level_ + 1), bent, weight, through, sent, total, nullptr);
+        send(*bent_wave(job_, depth_ + 1), bent, weight, through, sent, total, nullptr);
     }
 
     /// Sends mirrored rays, the light of which is a term of each one's chain.
@@ -223,12 +223,12 @@ class GlassPacket {
             add_term(ledger_, wave_.chain[at_ + i], one, chains[i]);
         });
         const Numbers one = all(1.0);
-        send(*mirrored_wave(job_, level_ + 1), mirror, weight, {one, one, one}, sent, sent, chains);
+        send(*mirrored_wave(job_, depth_ + 1), mirror, weight, {one, one, one}, sent, sent, chains);
     }
 
     /// The rays that the limits let go on.
     Mask is_followed(const Numbers& weight, Mask mask) const {
-        if (level_ + 1 >= scene_.max_depth) return 0;
+        if (depth_ + 1 >= scene_.max_depth) return 0;
         return mask & at_most(all(scene_.min_contribution), weight);
     }
 
@@ -274,7 +274,7 @@ class GlassPacket {
     const Scene& scene_;
     Ledger& ledger_;
     Wave& wave_;
-    const int level_;
+    const int depth_;
     const int at_;
     Mask active_;
     Rays rays_;
@@ -287,26 +287,26 @@ class GlassPacket {
     Mask glass_ = 0;
 };
 
-[[gnu::noinline]] inline void trace_packet(Job& job, Wave& wave, int level, int at) {
-    GlassPacket(job, wave, level, at).trace();
+[[gnu::noinline]] inline void trace_packet(Job& job, Wave& wave, int depth, int at) {
+    GlassPacket(job, wave, depth, at).trace();
 }
 
-/// Traces all rays of one level. New rays wait in the waves of the next level. When one of these is
+/// Traces all rays of one depth. New rays wait in the waves of the next depth. When one of these is
 /// full, it is traced first.
 ///
-/// \param deepest  the deepest level so far that had rays
-inline void trace_level(Job& job, int level, int& deepest) {
-    if (bent_wave(job, level)->count + mirrored_wave(job, level)->count == 0) return;
-    if (level > deepest) deepest = level;
-    const bool last = level + 1 >= job.scene->max_depth;
-    Wave* const waves[] = {bent_wave(job, level), mirrored_wave(job, level)};
+/// \param deepest  the largest depth so far that had rays
+inline void trace_depth(Job& job, int depth, int& deepest) {
+    if (bent_wave(job, depth)->count + mirrored_wave(job, depth)->count == 0) return;
+    if (depth > deepest) deepest = depth;
+    const bool last = depth + 1 >= job.scene->max_depth;
+    Wave* const waves[] = {bent_wave(job, depth), mirrored_wave(job, depth)};
     for (Wave* wave : waves) {
         pad(*wave);
         for (int at = 0; at < wave->count; at += lanes) {
-            if (!last && (bent_wave(job, level + 1)->count + lanes > Wave::most ||
-                          mirrored_wave(job, level + 1)->count + lanes > Wave::most))
-                trace_level(job, level + 1, deepest);
-            trace_packet(job, *wave, level, at);
+            if (!last && (bent_wave(job, depth + 1)->count + lanes > Wave::most ||
+                          mirrored_wave(job, depth + 1)->count + lanes > Wave::most))
+                trace_depth(job, depth + 1, deepest);
+            trace_packet(job, *wave, depth, at);
         }
         wave->count = wave->deepest = 0;
     }
@@ -325,8 +325,8 @@ inline void trace_through(Job& job, const Camera& camera, const double* x, const
     for (int i = 0; i < count; ++i) wave->chain[i] = begin_chain(ledger);
     wave->deepest = 0;
     int deepest = 0;
-    for (int level = 0; level <= deepest + 1 && level < job.scene->max_depth; ++level)
-        trace_level(job, level, deepest);
+    for (int depth = 0; depth <= deepest + 1 && depth < job.scene->max_depth; ++depth)
+        trace_depth(job, depth, deepest);
     sum_chains(ledger);
     for (int c = 0; c < 3; ++c)
         for (int i = 0; i < count; ++i) wave->color[c][i] = ledger.chains[i].light[c];

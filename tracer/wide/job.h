@@ -6,7 +6,7 @@
 
 namespace lancer::wide {
 
-/// Rays that are traced together, and what they brought. Level by level each wave holds what the
+/// Rays that are traced together, and what they brought. Depth by depth each wave holds what the
 /// rays of the wave before it sent on.
 struct Wave {
     static constexpr int most = 256;

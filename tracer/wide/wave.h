@@ -63,12 +63,12 @@ inline void send_from_camera(const Camera& camera, const double* x, const double
     wave.count = count;
 }
 
-/// Traces the rays of one level from `at` on, eight at most.
+/// Traces the rays of one depth from `at` on, eight at most.
 class Packet {
   public:
-    /// \param next  gets the rays that these send on; null at the last level
-    Packet(Job& job, Wave& wave, Wave* next, int level, int at)
-        : job_(job), scene_(*job.scene), wave_(wave), next_(next), level_(level), at_(at) {}
+    /// \param next  gets the rays that these send on; null at the last depth
+    Packet(Job& job, Wave& wave, Wave* next, int depth, int at)
+        : job_(job), scene_(*job.scene), wave_(wave), next_(next), depth_(depth), at_(at) {}
 
     void trace() {
         const int rest = wave_.count - at_;
@@ -110,12 +110,12 @@ class Packet {
     }
     void trace_exactly(int i, const Starts& starts) {
         double color[3];
-        job_.exact->trace(lane_ray(rays_, i), starts.lane(i), wave_.weight[at_ + i], level_, color);
+        job_.exact->trace(lane_ray(rays_, i), starts.lane(i), wave_.weight[at_ + i], depth_, color);
         put_color(i, color);
     }
     void shade_exactly(int i) {
         double color[3];
-        job_.exact->shade(lane_ray(rays_, i), hits_.lane(i), wave_.weight[at_ + i], level_, color);
+        job_.exact->shade(lane_ray(rays_, i), hits_.lane(i), wave_.weight[at_ + i], depth_, color);
         put_color(i, color);
     }
 
@@ -170,7 +170,7 @@ class Packet {
     const Scene& scene_;
     Wave& wave_;
     Wave* const next_;
-    const int level_;
+    const int depth_;
     const int at_;
     Rays rays_;
     NearestHits hits_;
@@ -183,18 +183,18 @@ inline void trace_opaque(Job& job, const Camera& camera, const double* x, const 
     send_from_camera(camera, x, y, count, *wave);
     job.counts.primary += static_cast<std::uint64_t>(count);
     const int deepest = job.scene->max_depth;
-    int level = 0;
-    for (;; ++level) {
-        Wave* next = level + 1 < deepest ? job.wave(job.waves, level + 1) : nullptr;
+    int depth = 0;
+    for (;; ++depth) {
+        Wave* next = depth + 1 < deepest ? job.wave(job.waves, depth + 1) : nullptr;
         if (next != nullptr) next->count = 0;
         pad(*wave);
-        for (int at = 0; at < wave->count; at += lanes) Packet(job, *wave, next, level, at).trace();
+        for (int at = 0; at < wave->count; at += lanes) Packet(job, *wave, next, depth, at).trace();
         if (next == nullptr || next->count == 0) break;
         wave = next;
     }
-    for (; level > 0; --level) {
-        const Wave& from = *job.wave(job.waves, level);
-        Wave& to = *job.wave(job.waves, level - 1);
+    for (; depth > 0; --depth) {
+        const Wave& from = *job.wave(job.waves, depth);
+        Wave& to = *job.wave(job.waves, depth - 1);
         for (int c = 0; c < 3; ++c)
             for (int i = 0; i < from.count; ++i)
                 to.color[c][from.sender[i]] += from.mirror[c][i] * from.color[c][i];

@@ -69,16 +69,16 @@ class ScalarMethods final : public ExactMethods {
 
     const RayCounts& counts() const { return tracer_.counts(); }
 
-    void trace(const LaneRay& ray, const LaneStart& start, double weight, int level,
+    void trace(const LaneRay& ray, const LaneStart& start, double weight, int depth,
                double* color) override {
         if constexpr (is_opaque<Tracer>)
-            put(tracer_.trace(ray_of(ray), start_of(start), weight, level), color);
+            put(tracer_.trace(ray_of(ray), start_of(start), weight, depth), color);
     }
 
-    void follow(const LaneRay& ray, const LaneStart& start, double weight, int level,
+    void follow(const LaneRay& ray, const LaneStart& start, double weight, int depth,
                 const double* through, const LightSink& sink) override {
         if constexpr (!is_opaque<Tracer>) {
-            tracer_.follow(ray_of(ray), start_of(start), media_of(start), weight, level,
+            tracer_.follow(ray_of(ray), start_of(start), media_of(start), weight, depth,
                            vector_of(through), [&](const Vec3d& light) {
                                double one[3];
                                put(light, one);
@@ -87,12 +87,12 @@ class ScalarMethods final : public ExactMethods {
         }
     }
 
-    void shade(const LaneRay& ray, const LaneHit& hit, double weight, int level,
+    void shade(const LaneRay& ray, const LaneHit& hit, double weight, int depth,
                double* color) override {
         if constexpr (is_opaque<Tracer>) {
             Contact<double> contact;
             contact.push_back(hit_of(hit));
-            put(tracer_.shade(ray_of(ray), contact, weight, level), color);
+            put(tracer_.shade(ray_of(ray), contact, weight, depth), color);
         }
     }
 
