@@ -33,7 +33,7 @@
 #include "tracer/wide/lone_meshes.h"
 //
 #include "tracer/wide/nearest.h"
-#include "tracer/wide/passes.h"
+#include "tracer/wide/see_throughs.h"
 //
 #include "tracer/wide/shadows.h"
 //

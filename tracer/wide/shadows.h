@@ -45,7 +45,7 @@ class ShadowQuery {
         }
         const Numbers one = all(1.0);
         share = {one, one, one};
-        for_each_lane(active & (unsure_ | passes_.some()) & ~blocked_, [&](int i) {
+        for_each_lane(active & (unsure_ | see_throughs_.some()) & ~blocked_, [&](int i) {
             double of_lane[3];
             put_share(i, of_lane);
             set_lane(share, i, of_lane);
@@ -57,7 +57,7 @@ class ShadowQuery {
   private:
     void put_share(int i, double* share) {
         const LaneStart start = starts_.lane(i);
-        if ((unsure_ >> i & 1) == 0 && passes_.transmittance(scene_, i, start, share)) return;
+        if ((unsure_ >> i & 1) == 0 && see_throughs_.transmittance(scene_, i, start, share)) return;
         job_.exact->light_share(lane_ray(rays_, i), start, lane(distance_, i), share);
     }
 
@@ -91,16 +91,16 @@ class ShadowQuery {
         }
         const Mask own = mask & equal(starts_.item, index);
         if (item.clear && item.kind == Kind::ball) {
-            ball_passes(scene_.balls[item.shape], index, rays_, mask, own,
-                        starts_.bodies.inside(index), distance_, passes_);
-            unsure_ |= passes_.unsure;
+            ball_see_throughs(scene_.balls[item.shape], index, rays_, mask, own,
+                              starts_.bodies.inside(index), distance_, see_throughs_);
+            unsure_ |= see_throughs_.unsure;
             return;
         }
         const Mask others = mask & ~own;
         if (item.clear && item.kind == Kind::box) {
-            box_passes(scene_.boxes[item.shape], index, rays_, others, starts_.bodies.inside(index),
-                       distance_, passes_);
-            unsure_ |= own | passes_.unsure;
+            box_see_throughs(scene_.boxes[item.shape], index, rays_, others,
+                             starts_.bodies.inside(index), distance_, see_throughs_);
+            unsure_ |= own | see_throughs_.unsure;
             return;
         }
         if (item.kind == Kind::ball) {
@@ -154,7 +154,7 @@ class ShadowQuery {
     std::uint32_t& last_;
     Mask blocked_ = 0;
     Mask unsure_ = 0;
-    Passes passes_;
+    SeeThroughs see_throughs_;
 };
 
 }  // namespace lancer::wide::LANCER_LEVEL

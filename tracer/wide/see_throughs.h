@@ -6,11 +6,11 @@ namespace lancer::wide::LANCER_LEVEL {
 /// The crossings of eight ways to a light with what lets light pass. A lane whose crossings are not
 /// all clear of each other, of the start and of the light is unsure; so is one that SeeThrough
 /// would be, as it goes by the same numbers.
-class Passes {
+class SeeThroughs {
   public:
     Mask unsure = 0;
 
-    Passes() {
+    SeeThroughs() {
         for (int& n : count_) n = 0;
     }
 
@@ -35,7 +35,8 @@ class Passes {
                 unsure |= Mask(1) << i;
                 return;
             }
-            passes_[i][count_[i]++] = {lane(t, i), lane(error, i), item, (entering >> i & 1) != 0};
+            crossings_[i][count_[i]++] = {lane(t, i), lane(error, i), item,
+                                          (entering >> i & 1) != 0};
         });
     }
 
@@ -46,11 +47,11 @@ class Passes {
     /// \return false where this cannot be told
     bool transmittance(const Scene& scene, int i, const LaneStart& start, double* light) {
         sort(i);
-        const Pass* passes = passes_[i];
+        const FilterCrossing* crossings = crossings_[i];
         for (int k = 1; k < count_[i]; ++k) {
-            const Pass& before = passes[k - 1];
-            if (passes[k].item == start.item ||
-                !(passes[k].t - before.t > apart * (before.error + passes[k].error)))
+            const FilterCrossing& before = crossings[k - 1];
+            if (crossings[k].item == start.item ||
+                !(crossings[k].t - before.t > apart * (before.error + crossings[k].error)))
                 return false;
         }
         std::uint32_t bodies[most_bodies + most];
@@ -58,21 +59,21 @@ class Passes {
         while (depth < most_bodies && start.bodies[depth] != nothing) {
             bodies[depth] = start.bodies[depth];
             // The light is inside, or rounding hides the way out.
-            if (bodies[depth] == start.item && (count_[i] == 0 || passes[0].item != start.item))
+            if (bodies[depth] == start.item && (count_[i] == 0 || crossings[0].item != start.item))
                 return false;
             ++depth;
         }
         for (int c = 0; c < 3; ++c) light[c] = 1;
         for (int k = 0; k < count_[i]; ++k) {
-            const Pass& pass = passes[k];
+            const FilterCrossing& crossing = crossings[k];
             int at = 0;
-            while (at < depth && bodies[at] != pass.item) ++at;
-            if ((at < depth) == pass.entering) continue;
-            if (pass.entering)
-                bodies[depth++] = pass.item;
+            while (at < depth && bodies[at] != crossing.item) ++at;
+            if ((at < depth) == crossing.entering) continue;
+            if (crossing.entering)
+                bodies[depth++] = crossing.item;
             else
                 bodies[at] = bodies[--depth];
-            const Finish& finish = scene.finishes[scene.items[pass.item].material];
+            const Finish& finish = scene.finishes[scene.items[crossing.item].material];
             for (int c = 0; c < 3; ++c) light[c] = light[c] * finish.transmittance[c];
             if (light[0] > 0 || light[1] > 0 || light[2] > 0) continue;
             for (int c = 0; c < 3; ++c) light[c] = 0;
@@ -82,7 +83,7 @@ class Passes {
     }
 
   private:
-    struct Pass {
+    struct FilterCrossing {
         double t, error;
         std::uint32_t item;
         bool entering;
@@ -93,16 +94,17 @@ class Passes {
     static constexpr int most = 32;
 
     void sort(int i) {
-        Pass* passes = passes_[i];
+        FilterCrossing* crossings = crossings_[i];
         for (int k = 1; k < count_[i]; ++k) {
-            const Pass pass = passes[k];
+            const FilterCrossing crossing = crossings[k];
             int at = k;
-            for (; at > 0 && passes[at - 1].t > pass.t; --at) passes[at] = passes[at - 1];
-            passes[at] = pass;
+            for (; at > 0 && crossings[at - 1].t > crossing.t; --at)
+                crossings[at] = crossings[at - 1];
+            crossings[at] = crossing;
         }
     }
 
-    Pass passes_[lanes][most];
+    FilterCrossing crossings_[lanes][most];
     int count_[lanes];
 };
 
@@ -110,11 +112,12 @@ class Passes {
 ///
 /// \param own     of `active`, the rays that start on it
 /// \param inside  rays that start inside
-LANCER_INLINE void ball_passes(const Ball& ball, std::uint32_t item, const Rays& r, Mask active,
-                               Mask own, Mask inside, const Numbers& distance, Passes& passes) {
+LANCER_INLINE void ball_see_throughs(const Ball& ball, std::uint32_t item, const Rays& r,
+                                     Mask active, Mask own, Mask inside, const Numbers& distance,
+                                     SeeThroughs& see) {
     if ((active & own) != 0) {
         const BallFromSurface other(ball, r);
-        passes.add(active & own, other.t, other.error, distance, item, less(other.t, all(0.0)));
+        see.add(active & own, other.t, other.error, distance, item, less(other.t, all(0.0)));
     }
     const Mask others = active & ~own;
     BallGuess guess(ball, r, others);
@@ -123,22 +126,22 @@ LANCER_INLINE void ball_passes(const Ball& ball, std::uint32_t item, const Rays&
     const Mask asked = guess.may_meet | (others & inside);
     if (asked == 0) return;
     const BallRoots roots(ball, r, asked);
-    passes.unsure |= others & inside & ~roots.met;
+    see.unsure |= others & inside & ~roots.met;
     if (roots.met == 0) return;
     Numbers in_error, out_error;
     roots.bound_errors(ball, r, in_error, out_error);
-    passes.add(roots.met, roots.in, in_error, distance, item, 255);
-    passes.add(roots.met, roots.out, out_error, distance, item, 0);
+    see.add(roots.met, roots.in, in_error, distance, item, 255);
+    see.add(roots.met, roots.out, out_error, distance, item, 0);
 }
 
 /// The crossings with a box of glass of rays that do not start on it.
-LANCER_INLINE void box_passes(const Box& box, std::uint32_t item, const Rays& r, Mask active,
-                              Mask inside, const Numbers& distance, Passes& passes) {
+LANCER_INLINE void box_see_throughs(const Box& box, std::uint32_t item, const Rays& r, Mask active,
+                                    Mask inside, const Numbers& distance, SeeThroughs& see) {
     const BoxSpans span(box, r, active);
-    passes.unsure |= active & inside & ~span.met;
+    see.unsure |= active & inside & ~span.met;
     if (span.met == 0) return;
     const auto offer = [&](const Numbers& t, const Numbers& error, Mask entering) {
-        passes.add(span.met & less(absolute(t), all(infinity)), t, error, distance, item, entering);
+        see.add(span.met & less(absolute(t), all(infinity)), t, error, distance, item, entering);
     };
     offer(span.in, span.in_error, 255);
     offer(span.out, span.out_error, 0);
