@@ -83,52 +83,52 @@ void check_names(const StabilityJob& job) {
 }
 
 /// A scene that is about to be tested.
-struct Subject {
+struct StabilityScene {
     std::string name;
     Scene scene;
     reference::ExportView view;
     std::string content;  ///< digest
 };
 
-Subject load(const std::string& path, const StabilityJob& job, Session& session) {
+StabilityScene load(const std::string& path, const StabilityJob& job, Session& session) {
     SceneLoader loader(path, job.scene_options, session);
-    Subject subject;
-    subject.name = path == "-" ? "standard input" : path;
-    subject.scene = loader.load();
-    subject.scene.settings.samples = 1;  // the pixel's centre, unless asked otherwise
-    job.settings.apply_to(subject.scene.settings);
-    const PictureSize size = size_or(job.size, subject.scene, 160);
+    StabilityScene loaded;
+    loaded.name = path == "-" ? "standard input" : path;
+    loaded.scene = loader.load();
+    loaded.scene.settings.samples = 1;  // the pixel's centre, unless asked otherwise
+    job.settings.apply_to(loaded.scene.settings);
+    const PictureSize size = size_or(job.size, loaded.scene, 160);
     const std::uint64_t needed = 4 * picture_bytes(size.width, size.height, 3);
     if (needed > available_memory())
         throw UsageError(fmt::format("pictures of {}x{} pixels do not fit into memory", size.width,
                                      size.height));
-    subject.view = {static_cast<std::uint32_t>(pick_camera(subject.scene, job.camera, session)),
-                    size.width, size.height};
-    subject.content = loader.content();
-    return subject;
+    loaded.view = {static_cast<std::uint32_t>(pick_camera(loaded.scene, job.camera, session)),
+                   size.width, size.height};
+    loaded.content = loader.content();
+    return loaded;
 }
 
-/// The scenes' tests, one after the other. With --part only every N-th change is tried, scene after
-/// scene, POV-Ray counting as one: the others are other machines'.
+/// The scenes' tests, one after the other. With --part only every N-th change is tried, scene
+/// after scene, POV-Ray counting as one: the others are other machines'.
 class Tests {
   public:
     Tests(const StabilityJob& job, Session& session) : job_(job), session_(session) {
         if (!job.no_cache) cache_ = reference::cache_folder();
     }
 
-    void run(const Subject& subject) {
+    void run(const StabilityScene& loaded) {
         StabilityReport report;
-        report.scene = subject.name;
-        report.precision = name_of(subject.scene.settings.precision);
-        report.width = subject.view.width;
-        report.height = subject.view.height;
+        report.scene = loaded.name;
+        report.precision = name_of(loaded.scene.settings.precision);
+        report.width = loaded.view.width;
+        report.height = loaded.view.height;
         report.options.fail = job_.fail.value_or(report.options.fail);
         report.options.fail_percent = job_.fail_percent.value_or(0);
         report.options.every = job_.every;
-        judge::StabilityTest test(subject.scene, judge::renderer_of(subject.view), report.options,
+        judge::StabilityTest test(loaded.scene, judge::renderer_of(loaded.view), report.options,
                                   [this] { return may_go_on(); },
-                                  {cache_, made_from(subject, report.options), !!job_.part});
-        const std::vector<Trial> trials = ours(trials_of(job_, subject.scene, subject.view.camera));
+                                  {cache_, made_from(loaded, report.options), !!job_.part});
+        const std::vector<Trial> trials = ours(trials_of(job_, loaded.scene, loaded.view.camera));
         const bool with_povray = !job_.no_povray && is_ours();
         if (trials.empty() && !with_povray) return;
         show((reports_.empty() ? "" : "\n") + stability_head(report));
@@ -137,7 +137,7 @@ class Tests {
             show(stability_row(report, report.windows.back()));
         }
         if (with_povray && may_go_on()) {
-            ask_povray(job_, subject.scene, subject.view, job_.time.value_or(0) - watch_.seconds(),
+            ask_povray(job_, loaded.scene, loaded.view, job_.time.value_or(0) - watch_.seconds(),
                        report);
             show(stability_row(report, *report.povray));
         }
@@ -165,10 +165,11 @@ class Tests {
         if (!job_.quiet) session_.output.say(text);
     }
 
-    static std::string made_from(const Subject& subject, const judge::StabilityOptions& options) {
+    static std::string made_from(const StabilityScene& loaded,
+                                 const judge::StabilityOptions& options) {
         return fmt::format("{} {} camera {} size {}x{}, {}, fail {} {}", build_identity(),
-                           subject.content, subject.view.camera, subject.view.width,
-                           subject.view.height, text_of(subject.scene.settings), options.fail,
+                           loaded.content, loaded.view.camera, loaded.view.width,
+                           loaded.view.height, text_of(loaded.scene.settings), options.fail,
                            options.fail_percent);
     }
 
@@ -204,10 +205,10 @@ ExitCode run_stability(const StabilityJob& job, Session& session) {
     session.will_write(job.json, "--json");
     session.will_write(job.plot, "--plot");
     // All are read before the first is tested: a mistake in the last would come late.
-    std::vector<Subject> subjects;
-    for (const std::string& path : job.scenes) subjects.push_back(load(path, job, session));
+    std::vector<StabilityScene> scenes;
+    for (const std::string& path : job.scenes) scenes.push_back(load(path, job, session));
     Tests tests(job, session);
-    for (const Subject& subject : subjects) tests.run(subject);
+    for (const StabilityScene& loaded : scenes) tests.run(loaded);
     return tests.finish();
 }
 

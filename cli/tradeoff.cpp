@@ -46,24 +46,24 @@ struct TradeOffJob {
 };
 
 /// A scene that is about to be measured.
-struct Subject {
+struct TradeOffScene {
     std::string name;
     Scene scene;
     View view;
     std::string content;  ///< digest
 };
 
-Subject load(const std::string& path, const TradeOffJob& job, Session& session) {
+TradeOffScene load(const std::string& path, const TradeOffJob& job, Session& session) {
     SceneLoader loader(path, job.scene_options, session);
-    Subject subject;
-    subject.name = path == "-" ? "standard input" : path;
-    subject.scene = loader.load();
-    session.terminal.show(missing_parts(subject.scene), session.sources);
-    job.settings.apply_to(subject.scene.settings);
-    subject.content = loader.content();
-    const PictureSize size = size_or(job.size, subject.scene, 160);
-    View& view = subject.view;
-    view.camera = pick_camera(subject.scene, job.camera, session);
+    TradeOffScene loaded;
+    loaded.name = path == "-" ? "standard input" : path;
+    loaded.scene = loader.load();
+    session.terminal.show(missing_parts(loaded.scene), session.sources);
+    job.settings.apply_to(loaded.scene.settings);
+    loaded.content = loader.content();
+    const PictureSize size = size_or(job.size, loaded.scene, 160);
+    View& view = loaded.view;
+    view.camera = pick_camera(loaded.scene, job.camera, session);
     view.width = size.width;
     view.height = size.height;
     view.crop = job.crop;
@@ -73,23 +73,23 @@ Subject load(const std::string& path, const TradeOffJob& job, Session& session) 
     if (at_once * picture_bytes(part.width, part.height, 3) > available_memory())
         throw UsageError(fmt::format("pictures of {}x{} pixels do not fit into memory", part.width,
                                      part.height));
-    return subject;
+    return loaded;
 }
 
 class TradeOffs {
   public:
-    TradeOffs(const TradeOffJob& job, std::vector<Subject> subjects, Session& session)
+    TradeOffs(const TradeOffJob& job, std::vector<TradeOffScene> scenes, Session& session)
         : job_(job),
           session_(session),
-          subjects_(std::move(subjects)),
-          bar_(session.terminal, job.quiet, subjects_.size()) {
+          scenes_(std::move(scenes)),
+          bar_(session.terminal, job.quiet, scenes_.size()) {
         if (!job.no_cache) cache_ = reference::cache_folder();
     }
 
     void run() {
-        for (std::size_t i = 0; i < subjects_.size(); ++i) {
+        for (std::size_t i = 0; i < scenes_.size(); ++i) {
             bar_.begin_part(i);
-            reports_.push_back(measured(subjects_[i], subjects_.size() - i));
+            reports_.push_back(measured(scenes_[i], scenes_.size() - i));
             bar_.clear();
             if (!job_.quiet)
                 session_.output.say((i > 0 ? "\n" : "") + judge::tradeoff_text(reports_.back()));
@@ -101,31 +101,31 @@ class TradeOffs {
     }
 
   private:
-    TradeOffReport measured(const Subject& subject, std::size_t left) {
+    TradeOffReport measured(const TradeOffScene& loaded, std::size_t left) {
         judge::TradeOffOptions options;
         // What earlier scenes have not used is there for the others.
         if (job_.budget)
             options.budget =
                 std::max(1e-3, *job_.budget - watch_.seconds()) / static_cast<double>(left);
         options.with_pictures = !job_.report.empty();
-        options.cache = {cache_, std::string(build_identity()) + subject.content};
+        options.cache = {cache_, std::string(build_identity()) + loaded.content};
         options.progress = [this](double share, const std::string& what) {
             bar_.set_label(what);
             bar_.update(share);
         };
         try {
-            TradeOffReport report = judge::trade_off(subject.scene, subject.view, options);
-            report.scene = subject.name;
+            TradeOffReport report = judge::trade_off(loaded.scene, loaded.view, options);
+            report.scene = loaded.name;
             return report;
         } catch (const judge::BudgetTooShort& error) {
             throw UsageError(fmt::format("--budget {:g} is too short for {}: {}", *job_.budget,
-                                         subject.name, error.what()));
+                                         loaded.name, error.what()));
         }
     }
 
     const TradeOffJob& job_;
     Session& session_;
-    std::vector<Subject> subjects_;
+    std::vector<TradeOffScene> scenes_;
     Stopwatch watch_;
     std::string cache_;
     std::vector<TradeOffReport> reports_;
@@ -158,9 +158,9 @@ ExitCode tradeoff(const TradeOffJob& job, Session& session) {
     session.will_write(job.json, "--json");
     will_report(job, session);
     // All are read before the first is measured: a mistake in the last would come late.
-    std::vector<Subject> subjects;
-    for (const std::string& path : scenes) subjects.push_back(load(path, job, session));
-    TradeOffs(job, std::move(subjects), session).run();
+    std::vector<TradeOffScene> loaded;
+    for (const std::string& path : scenes) loaded.push_back(load(path, job, session));
+    TradeOffs(job, std::move(loaded), session).run();
     return ExitCode::done;
 }
 

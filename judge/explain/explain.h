@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "judge/explain/crossing.h"
 #include "judge/explain/edges.h"
+#include "judge/explain/nearby_edge.h"
 #include "judge/explain/probe_function.h"
 #include "judge/explain/shift.h"
 #include "model/image.h"

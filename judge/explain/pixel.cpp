@@ -21,8 +21,8 @@ PixelClass class_of(EdgeKind kind) {
 }
 
 /// Whether rounding can put the edge on the other side of the centre.
-bool is_rounding(const Crossing& crossing, const Thresholds& limits) {
-    return std::hypot(crossing.dx, crossing.dy) <= limits.rounding;
+bool is_rounding(const NearbyEdge& edge, const Thresholds& limits) {
+    return std::hypot(edge.dx, edge.dy) <= limits.rounding;
 }
 
 /// Whether the rules change anything within the radius: a search for edges is thousands of looks.
@@ -83,21 +83,21 @@ void classify(DifferentPixel& pixel, const ProbeFunction& probe, const Threshold
     }
     const double x = pixel.x + 0.5;
     const double y = pixel.y + 0.5;
-    auto crossing = find_crossing(probe, x, y, pixel.theirs, limits.radius, limits.interior);
-    const bool may_lie_elsewhere = crossing ? !is_rounding(*crossing, limits)
-                                            : part_nearby(probe, second.by_rules, x, y, limits);
+    auto edge = find_nearby_edge(probe, x, y, pixel.theirs, limits.radius, limits.interior);
+    const bool may_lie_elsewhere =
+        edge ? !is_rounding(*edge, limits) : part_nearby(probe, second.by_rules, x, y, limits);
     if (second.by_rules && may_lie_elsewhere) {
         // The other program follows its own rules behind an edge, too, and where it lies.
         const auto by_rules =
-            find_crossing(second.by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
-        if (by_rules && (!crossing || is_rounding(*by_rules, limits))) {
-            crossing = by_rules;
+            find_nearby_edge(second.by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
+        if (by_rules && (!edge || is_rounding(*by_rules, limits))) {
+            edge = by_rules;
             pixel.took_povray = true;
         }
     }
-    if (crossing) {
-        pixel.pixel_class = class_of(crossing->kind);
-        pixel.offset = {crossing->dx, crossing->dy};
+    if (edge) {
+        pixel.pixel_class = class_of(edge->kind);
+        pixel.offset = {edge->dx, edge->dy};
     } else if (reached_at(probe, x, y, pixel.theirs, limits.digits, limits.interior)) {
         pixel.pixel_class = PixelClass::steep;
     }

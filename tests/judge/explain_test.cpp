@@ -113,20 +113,20 @@ TEST(Judge, NamesTheKindOfEdge) {
             if (distance(before.color, after.color) < 0.1) continue;
             // Glass on its very limb takes a value of its own, in a band thinner than any pixel is.
             if (distance(probe(high + 1e-9, y + 0.5).color, after.color) > 1e-3) continue;
-            const auto crossing = find_crossing(probe, low, y + 0.5, after.color, 0.01, 1e-4);
-            ASSERT_TRUE(crossing) << x << " " << y;
-            EXPECT_LT(std::hypot(crossing->dx, crossing->dy), 1e-8);
+            const auto edge = find_nearby_edge(probe, low, y + 0.5, after.color, 0.01, 1e-4);
+            ASSERT_TRUE(edge) << x << " " << y;
+            EXPECT_LT(std::hypot(edge->dx, edge->dy), 1e-8);
             if (before.object != after.object) {
-                EXPECT_EQ(crossing->kind, EdgeKind::silhouette);
+                EXPECT_EQ(edge->kind, EdgeKind::silhouette);
                 ++seen[static_cast<std::size_t>(PixelClass::silhouette)];
             } else if (before.lit != after.lit) {
-                EXPECT_EQ(crossing->kind, EdgeKind::shadow);
+                EXPECT_EQ(edge->kind, EdgeKind::shadow);
                 ++seen[static_cast<std::size_t>(PixelClass::shadow)];
             } else if (before.path == after.path) {
-                EXPECT_EQ(crossing->kind, EdgeKind::texture);
+                EXPECT_EQ(edge->kind, EdgeKind::texture);
                 ++seen[static_cast<std::size_t>(PixelClass::texture)];
             } else {
-                EXPECT_EQ(crossing->kind, EdgeKind::secondary);
+                EXPECT_EQ(edge->kind, EdgeKind::secondary);
                 ++seen[static_cast<std::size_t>(PixelClass::secondary)];
             }
         }
@@ -143,7 +143,7 @@ TEST(FindCrossing, RefusesASmoothChangeHoweverSteep) {
         sample.color = Color{1, 1, 1} * std::clamp(0.5 + 1e6 * (x - 0.5), 0.0, 1.0);
         return sample;
     };
-    EXPECT_FALSE(find_crossing(slope, 0.5, 0.5, {0.8, 0.8, 0.8}, 0.01, 1e-4));
+    EXPECT_FALSE(find_nearby_edge(slope, 0.5, 0.5, {0.8, 0.8, 0.8}, 0.01, 1e-4));
 }
 
 TEST(FindCrossing, RefusesAnEdgeBehindWhichIsAnotherValue) {
@@ -152,8 +152,8 @@ TEST(FindCrossing, RefusesAnEdgeBehindWhichIsAnotherValue) {
         sample.color = x < 0.503 ? Color{0, 0, 0} : Color{1, 1, 1};
         return sample;
     };
-    EXPECT_FALSE(find_crossing(step, 0.5, 0.5, {0.9, 0.9, 0.9}, 0.01, 1e-4));
-    EXPECT_TRUE(find_crossing(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4));
+    EXPECT_FALSE(find_nearby_edge(step, 0.5, 0.5, {0.9, 0.9, 0.9}, 0.01, 1e-4));
+    EXPECT_TRUE(find_nearby_edge(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4));
 }
 
 TEST(FindCrossing, RefusesAnEdgeOutsideTheRadius) {
@@ -162,7 +162,7 @@ TEST(FindCrossing, RefusesAnEdgeOutsideTheRadius) {
         sample.color = x < 0.512 ? Color{0, 0, 0} : Color{1, 1, 1};
         return sample;
     };
-    EXPECT_FALSE(find_crossing(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4));
+    EXPECT_FALSE(find_nearby_edge(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4));
 }
 
 TEST(FindCrossing, ReturnsTheOffsetOfTheEdge) {
@@ -171,10 +171,10 @@ TEST(FindCrossing, ReturnsTheOffsetOfTheEdge) {
         sample.color = (x - 0.5) * 0.6 + (y - 0.5) * 0.8 < 0.004 ? Color{0, 0, 0} : Color{1, 1, 1};
         return sample;
     };
-    const auto crossing = find_crossing(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4);
-    ASSERT_TRUE(crossing);
-    EXPECT_NEAR(crossing->dx * 0.6 + crossing->dy * 0.8, 0.004, 1e-10);
-    EXPECT_NEAR(std::hypot(crossing->dx, crossing->dy), 0.004, 1e-4) << "16 directions";
+    const auto edge = find_nearby_edge(step, 0.5, 0.5, {1, 1, 1}, 0.01, 1e-4);
+    ASSERT_TRUE(edge);
+    EXPECT_NEAR(edge->dx * 0.6 + edge->dy * 0.8, 0.004, 1e-10);
+    EXPECT_NEAR(std::hypot(edge->dx, edge->dy), 0.004, 1e-4) << "16 directions";
 }
 
 TEST(Judge, CountsAsKnownOnlyWhatTheOtherRuleGivesExactly) {

@@ -1,4 +1,4 @@
-#include "judge/explain/crossing.h"
+#include "judge/explain/nearby_edge.h"
 
 #include <algorithm>
 #include <array>
@@ -114,12 +114,12 @@ std::optional<double> reached_at(const ProbeFunction& probe, double x, double y,
     return nearest;
 }
 
-std::optional<Crossing> find_crossing(const ProbeFunction& probe, double x, double y,
-                                      const Color& theirs, double radius, double tolerance) {
+std::optional<NearbyEdge> find_nearby_edge(const ProbeFunction& probe, double x, double y,
+                                           const Color& theirs, double radius, double tolerance) {
     const Point centre{x, y};
     const Probe at_centre = probe(x, y);
     const double difference = distance(at_centre.color, theirs);
-    std::optional<Crossing> nearest;
+    std::optional<NearbyEdge> nearest;
     bool changes = false;
     for (const double ring : rings) {
         for (int i = 0; i < directions; ++i) {
@@ -132,7 +132,7 @@ std::optional<Crossing> find_crossing(const ProbeFunction& probe, double x, doub
             const double jump = distance(step.near_side.color, step.far_side.color);
             if (jump < 0.5 * difference) continue;  // a smooth change
             if (!reaches(probe, step, end, theirs, tolerance)) continue;
-            const Crossing found{kind_of(step), step.far_point.x - x, step.far_point.y - y, jump};
+            const NearbyEdge found{kind_of(step), step.far_point.x - x, step.far_point.y - y, jump};
             if (!nearest || std::hypot(found.dx, found.dy) < std::hypot(nearest->dx, nearest->dy)) {
                 nearest = found;
             }

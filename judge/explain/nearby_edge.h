@@ -16,7 +16,7 @@ enum class EdgeKind {
 };
 
 /// An edge of our own picture beside a pixel's centre, with the other picture's value behind it.
-struct Crossing {
+struct NearbyEdge {
     EdgeKind kind = EdgeKind::silhouette;
     double dx = 0;  ///< from the centre to the edge, pixels, y down
     double dy = 0;
@@ -27,8 +27,8 @@ struct Crossing {
 /// the value `theirs`, to within `tolerance`. A value that is reached by a smooth change, however
 /// steep, does not count: the step must remain when looked at from 10^-12 pixel. Of several the
 /// nearest is returned.
-std::optional<Crossing> find_crossing(const ProbeFunction& probe, double x, double y,
-                                      const Color& theirs, double radius, double tolerance);
+std::optional<NearbyEdge> find_nearby_edge(const ProbeFunction& probe, double x, double y,
+                                           const Color& theirs, double radius, double tolerance);
 
 /// How far from (x, y), in pixels, our picture takes the value `theirs` to within `tolerance`, by
 /// whatever change; nothing when it does not within `radius`.
