@@ -55,3 +55,5 @@
 #include "tracer/wide/wave.h"
 //
 #include "tracer/wide/glass.h"
+//
+#include "tracer/wide/glass_waves.h"
