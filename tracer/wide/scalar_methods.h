@@ -1,0 +1,171 @@
+// The scalar code that answers for a lane which is unsure: one ray at a time, from a lane's form
+// and back.
+#pragma once
+
+#include <type_traits>
+
+#include "tracer/recursion/opaque.h"
+#include "tracer/recursion/whitted.h"
+#include "tracer/wide/exact_methods.h"
+
+namespace lancer::wide {
+
+inline Vec3d vector_of(const double* v) {
+    return {v[0], v[1], v[2]};
+}
+inline void put(const Vec3d& from, double* to) {
+    for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+inline Ray<double> ray_of(const LaneRay& r) {
+    return {vector_of(r.origin), vector_of(r.origin_lo), vector_of(r.dir),
+            r.dir_squared,       r.inv_squared,          r.origin_error,
+            r.filter_error,      vector_of(r.inv_dir),   r.whole};
+}
+inline lancer::Start<double> start_of(const LaneStart& from) {
+    lancer::Start<double> start;
+    if (from.item != none) start.surfaces.push_back({from.item, from.face, from.entering});
+    start.left = from.left;
+    return start;
+}
+inline MediaList bodies_of(const LaneStart& from) {
+    MediaList bodies;
+    for (const std::uint32_t body : from.bodies)
+        if (body != none) bodies.push_back(body);
+    return bodies;
+}
+inline Hit<double> hit_of(const LaneHit& h) {
+    return {h.t, h.error, {h.item, h.face, h.entering}, h.u, h.v};
+}
+
+template <class Tracer>
+constexpr bool is_opaque = std::is_same_v<Tracer, OpaqueTracer<double>>;
+
+/// The scalar code behind ExactMethods.
+///
+/// \tparam Tracer  the recursion for such worlds: OpaqueTracer or Whitted
+template <class Tracer>
+class ScalarMethods final : public ExactMethods {
+  public:
+    ScalarMethods(const World<double>& world, const TraceLimits& limits)
+        : world_(world), tracer_(world, limits) {}
+
+    const RayCounts& counts() const { return tracer_.counts(); }
+
+    void trace(const LaneRay& ray, const LaneStart& start, double weight, int depth,
+               double* color) override {
+        if constexpr (is_opaque<Tracer>)
+            put(tracer_.trace(ray_of(ray), start_of(start), weight, depth), color);
+    }
+
+    void follow(const LaneRay& ray, const LaneStart& start, double weight, int depth,
+                const double* through, const LightSink& sink) override {
+        if constexpr (!is_opaque<Tracer>) {
+            tracer_.follow(ray_of(ray), start_of(start), media_of(start), weight, depth,
+                           vector_of(through), [&](const Vec3d& light) {
+                               double one[3];
+                               put(light, one);
+                               sink.add(sink.self, one);
+                           });
+        }
+    }
+
+    void shade(const LaneRay& ray, const LaneHit& hit, double weight, int depth,
+               double* color) override {
+        if constexpr (is_opaque<Tracer>) {
+            Contact<double> contact;
+            contact.push_back(hit_of(hit));
+            put(tracer_.shade(ray_of(ray), contact, weight, depth), color);
+        }
+    }
+
+    void behind(const double* direction, double* color) override {
+        put(color_behind(world_, vector_of(direction)), color);
+    }
+
+    void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) override {
+        const Surface<double> s = make_surface(world_, ray_of(ray), hit_of(hit));
+        put(s.position, surface.position);
+        put(s.position_lo, surface.position_lo);
+        put(s.geometric, surface.geometric);
+        put(s.normal, surface.normal);
+        put(s.color, surface.color);
+        surface.error = s.error;
+        surface.opacity = s.opacity;
+        surface.outermost = s.outermost;
+    }
+
+    void light(std::size_t index, const double* position, const double* position_lo,
+               LaneLight& light) override {
+        const LightSample<double> at =
+            sample_light(world_.lights[index], vector_of(position), vector_of(position_lo));
+        put(at.direction, light.direction);
+        put(at.color, light.color);
+        light.distance = at.distance;
+    }
+
+    void crossings(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,
+                   const HitSink& sink) override {
+        const Ray<double> ray = ray_of(lane_ray);
+        const lancer::Start<double> start = start_of(lane_start);
+        const Around around = around_of(lane_start);
+        const IntersectionFilter<double, Around> accept(world_, start, around);
+        const auto limit = [&] { return sink.limit(sink.self); };
+        const RayInterval<double, decltype(limit)> interval{0, limit};
+        crossings_from(world_, item, ray, accept, accept.hints(item), interval,
+                       [&](const Crossing<double>& c, double u, double v) {
+                           if (accept(item, c))
+                               sink.add(sink.self, {accept.met_at(c), c.error, u, v, item, c.face,
+                                                    c.entering});
+                           return false;
+                       });
+    }
+
+    bool blocks(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,
+                double distance) override {
+        const Ray<double> ray = ray_of(lane_ray);
+        const lancer::Start<double> start = start_of(lane_start);
+        const NoMedia nowhere;
+        const IntersectionFilter<double, NoMedia> accept(world_, start, nowhere);
+        OcclusionQuery<double, NoMedia> query{world_, accept, start, distance};
+        query.at = item;
+        const LightInterval<double, NoMedia> limit{query};
+        const RayInterval<double, LightInterval<double, NoMedia>> interval{0, limit};
+        crossings_from(world_, item, ray, accept, query.hints(), interval,
+                       [&](const Crossing<double>& c, double, double) {
+                           if (accept(item, c) && c.t < distance - c.error)
+                               query.occlusion = Occlusion::blocked;
+                           return query.occlusion == Occlusion::blocked;
+                       });
+        return query.occlusion == Occlusion::blocked;
+    }
+
+    void light_share(const LaneRay& ray, const LaneStart& start, double distance,
+                     double* share) override {
+        const Ray<double> r = ray_of(ray);
+        if constexpr (is_opaque<Tracer>)
+            put(light_through(world_, r, distance, start_of(start), NoMedia{}), share);
+        else
+            put(light_through(world_, r, distance, start_of(start), media_of(start)), share);
+    }
+
+  private:
+    using Around = std::conditional_t<is_opaque<Tracer>, NoMedia, MediaList>;
+
+    static Around around_of(const LaneStart& start) {
+        if constexpr (is_opaque<Tracer>)
+            return {};
+        else
+            return bodies_of(start);
+    }
+    Media media_of(const LaneStart& start) const {
+        Media media{bodies_of(start), {}};
+        if (world_.has_smooth_media) media.optical = media.bodies;
+        return media;
+    }
+
+    const World<double>& world_;
+    Tracer tracer_;
+};
+
+}  // namespace lancer::wide
