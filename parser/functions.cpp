@@ -10,6 +10,7 @@
 #include "parser/list_functions.h"
 #include "parser/random.h"
 #include "parser/suggest.h"
+#include "parser/vector_functions.h"
 
 namespace lancer {
 namespace {
@@ -148,59 +149,6 @@ Value pow_of(std::string_view name, Arguments a, const Site& site) {
     return apply_binary(ast::Op::power, a[0], a[1], site);
 }
 
-/// Largest absolute component, as a power of two, so that squares neither over- nor underflow.
-double scale_of(const Value& v) {
-    double most = 0;
-    for (unsigned i = 0; i < v.dimension(); ++i) most = greater(most, std::abs(v.component(i)));
-    return most == 0 ? 1 : std::ldexp(1.0, std::ilogb(most));
-}
-
-double length_of(const Value& v, double scale) {
-    double sum = 0;
-    for (unsigned i = 0; i < v.dimension(); ++i) {
-        const double x = v.component(i) / scale;
-        sum += x * x;
-    }
-    return std::sqrt(sum);
-}
-
-Value length(std::string_view name, Arguments a, const Site& site) {
-    if (!a[0].is(Value::Kind::vector)) return takes(name, "a vector", a[0], site);
-    const double scale = scale_of(a[0]);
-    return Value(length_of(a[0], scale) * scale);
-}
-
-Value normalize_of(std::string_view name, Arguments a, const Site& site) {
-    if (!a[0].is(Value::Kind::vector)) return takes(name, "a vector", a[0], site);
-    const double scale = scale_of(a[0]);
-    const double size = length_of(a[0], scale);
-    if (size == 0) {
-        site.report.error(Message::function_domain, site.place, name, "a vector of length 0");
-        return {};
-    }
-    return map_components(a[0], [&](double x) { return x / scale / size; });
-}
-
-Value dot_of(std::string_view name, Arguments a, const Site& site) {
-    for (const Value& v : a)
-        if (!v.is(Value::Kind::vector)) return takes(name, "vectors", v, site);
-    const Value products = apply_binary(ast::Op::multiply, a[0], a[1], site);
-    if (products.is_broken()) return {};
-    double sum = 0;
-    for (unsigned i = 0; i < products.dimension(); ++i) sum += products.component(i);
-    return Value(sum);
-}
-
-Value cross_of(std::string_view name, Arguments a, const Site& site) {
-    for (const Value& v : a)
-        if (!v.is_vector(3)) return takes(name, "vectors of 3 numbers", v, site);
-    const auto vec = [](const Value& v) {
-        return Vec3d(v.component(0), v.component(1), v.component(2));
-    };
-    const Vec3d c = cross(vec(a[0]), vec(a[1]));
-    return {c.x, c.y, c.z};
-}
-
 Value len(std::string_view name, Arguments a, const Site& site) {
     if (a[0].is_list()) return Value(static_cast<double>(a[0].size()));
     if (a[0].is(Value::Kind::text)) return Value(static_cast<double>(a[0].characters()));
@@ -315,10 +263,10 @@ constexpr Function functions[] = {
     {"mix", 3, 3, "a, b, t", "a (1 - t) + b t; also of vectors", mix},
     {"radians", 1, 1, "x", "degrees to radians", of_number<to_radians>},
     {"degrees", 1, 1, "x", "radians to degrees", of_number<to_degrees>},
-    {"length", 1, 1, "v", "the length of a vector", length},
-    {"normalize", 1, 1, "v", "the vector of length 1 in the same direction", normalize_of},
-    {"dot", 2, 2, "a, b", "scalar product", dot_of},
-    {"cross", 2, 2, "a, b", "vector product", cross_of},
+    {"length", 1, 1, "v", "the length of a vector", vector_length},
+    {"normalize", 1, 1, "v", "the vector of length 1 in the same direction", normalize_vector},
+    {"dot", 2, 2, "a, b", "scalar product", dot_product},
+    {"cross", 2, 2, "a, b", "vector product", cross_product},
     {"len", 1, 1, "x", "the number of elements of a list, or of characters of a string", len},
     {"srgb", 3, 3, "r, g, b", "a colour given in sRGB, 0 to 1, as linear RGB", srgb},
     {"css", 1, 1, "name", "one of the 148 CSS colours by its name, as \"tomato\", as linear RGB",
