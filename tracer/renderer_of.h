@@ -10,16 +10,17 @@
 #include "tracer/overflow.h"
 #include "tracer/pixel_samples.h"
 #include "tracer/povray/recursion.h"
+#include "tracer/ray_batches.h"
 #include "tracer/ray_tree_renderer.h"
 #include "tracer/rays/camera.h"
 #include "tracer/recursion/cut_tracer.h"
 #include "tracer/recursion/recorded_tracer.h"
 #include "tracer/recursion/whitted.h"
 #include "tracer/scene/far_camera.h"
-#include "tracer/tile_memory.h"
 #include "tracer/tile_order.h"
 #include "tracer/tile_pixels.h"
 #include "tracer/wide/wide_tracer.h"
+#include "tracer/world_counts.h"
 
 namespace lancer {
 
@@ -149,27 +150,7 @@ class RendererOf final : public RayTreeRenderer {
 
     Level level() const override { return wide_ ? wide_->level() : Level::scalar; }
 
-    WorldCounts counts() const override {
-        WorldCounts c;
-        c.shapes = world_->primitives.size();
-        c.lights = world_->lights.size();
-        c.nodes = world_->bvh.nodes.size();
-        for (const auto& mesh : world_->meshes) {
-            c.triangles += mesh->source->faces.size();
-            c.nodes += mesh->bvh.nodes.size();
-        }
-        // Of the patches, what rays asked for.
-        for (const auto& patch : world_->patches) {
-            if (const auto* mesh = patch->built()) {
-                c.triangles += mesh->source->faces.size();
-                c.nodes += mesh->bvh.nodes.size();
-            }
-        }
-        for (const auto& patch : world_->bicubics) {
-            if (const auto* tree = patch->built()) c.nodes += tree->bvh.nodes.size();
-        }
-        return c;
-    }
+    WorldCounts counts() const override { return counts_of(*world_); }
 
   private:
     static constexpr int aov_channels = 6;
@@ -283,36 +264,9 @@ class RendererOf final : public RayTreeRenderer {
     /// The same, many rays at a time. The tile is black before.
     void fill(Image& image, const Crop& tile, WideTracer& tracer,
               const CameraFrame<Real>& camera_frame, const View& view, const Crop& crop) const {
+        add_samples(image, tile, tracer, camera_frame, view, crop, world_->settings);
         const int n = world_->settings.samples;
-        RayBatch batch;
-        std::array<double*, RayBatch::most> pixel_of;
-        const auto trace_batch = [&] {
-            tracer.trace(camera_frame, view.width, view.height, batch);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
-                for (int c = 0; c < 3; ++c) pixel_of[i][c] += batch.color[i][c];
-            }
-            batch.count = 0;
-        };
-        const auto each_pixel = [&](auto&& use) {
-            for (int i = 0; i < tile_size * tile_size; ++i) {
-                const auto [x, y] = tile_pixel(i);
-                if (x < tile.width && y < tile.height) use(tile.x + x, tile.y + y);
-            }
-        };
-        expect_memory(image, tile);
-        each_pixel([&](int x, int y) {
-            double* pixel = image.pixel(x, y);
-            for_each_sample<double>(world_->settings, crop.x + x, crop.y + y,
-                                    [&](double at_x, double at_y) {
-                                        const auto i = static_cast<std::size_t>(batch.count++);
-                                        batch.x[i] = at_x;
-                                        batch.y[i] = at_y;
-                                        pixel_of[i] = pixel;
-                                        if (batch.count == RayBatch::most) trace_batch();
-                                    });
-        });
-        if (batch.count != 0) trace_batch();
-        each_pixel([&](int x, int y) {
+        for_each_pixel(tile, [&](int x, int y) {
             double* pixel = image.pixel(x, y);
             for (int c = 0; c < 3 && n > 1; ++c) pixel[c] /= n * n;
             if (view.aov) fill_aov(pixel + 3, camera_frame, view, crop.x + x, crop.y + y);
@@ -350,17 +304,10 @@ class RendererOf final : public RayTreeRenderer {
     }
 
     /// At most RayBatch::most points.
-    void trace_some(std::span<const PicturePoint> points, WideTracer& tracer,
-                    const CameraFrame<Real>& camera_frame, const View& view,
-                    std::span<Color> colors) const {
-        RayBatch batch;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            batch.x[i] = points[i].x;
-            batch.y[i] = points[i].y;
-        }
-        batch.count = static_cast<int>(points.size());
-        tracer.trace(camera_frame, view.width, view.height, batch);
-        std::copy_n(batch.color.begin(), points.size(), colors.begin());
+    static void trace_some(std::span<const PicturePoint> points, WideTracer& tracer,
+                           const CameraFrame<Real>& camera_frame, const View& view,
+                           std::span<Color> colors) {
+        trace_points(points, tracer, camera_frame, view, colors);
     }
 
     static void put_mean(double* pixel, const Vec3<Real>& mean) {

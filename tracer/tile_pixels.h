@@ -1,6 +1,8 @@
 // In which order a tile's pixels are taken.
 #pragma once
 
+#include "tracer/render.h"
+
 namespace lancer {
 
 /// Width and height of the tiles that threads are dealt.
@@ -16,6 +18,15 @@ constexpr TilePixel tile_pixel(int index) {
     const int block = index / 64;
     const int part = index % 64 / 8;
     return {block % 2 * 8 + part % 2 * 4 + index % 4, block / 2 * 8 + part / 2 * 2 + index / 4 % 2};
+}
+
+/// Calls use(x, y) for the pixels of a tile in this order.
+template <class Use>
+void for_each_pixel(const Crop& tile, Use&& use) {
+    for (int i = 0; i < tile_size * tile_size; ++i) {
+        const auto [x, y] = tile_pixel(i);
+        if (x < tile.width && y < tile.height) use(tile.x + x, tile.y + y);
+    }
 }
 
 }  // namespace lancer
