@@ -25,6 +25,8 @@
 #include "tracer/wide/triangles.h"
 //
 #include "tracer/wide/frustum_crossings.h"
+#include "tracer/wide/torus_lines.h"
+//
 #include "tracer/wide/tori.h"
 //
 #include "tracer/wide/lone_rays.h"
