@@ -15,7 +15,7 @@
 namespace lancer {
 namespace {
 
-/// 1,000 levels of recursion at up to 60 kB each (sanitizers); pages that nobody touches cost
+/// 1,000 levels of recursion at up to 60 kB each (with sanitizers). Pages that nobody touches cost
 /// nothing.
 constexpr std::size_t stack_bytes = std::size_t(128) << 20;
 
@@ -57,7 +57,7 @@ void for_each_task(int tasks, int threads, const Progress& progress,
             for (int i = 0; i < threads; ++i)
                 pool.push_back(std::make_unique<DeepThread>(stack_bytes, body));
         } catch (...) {
-            next = tasks;  // those that run end with the task they are at
+            next = tasks;  // running tasks finish; no new task starts
             throw;
         }
         std::unique_lock lock(mutex);

@@ -1,4 +1,4 @@
-// What a long computation tells while it runs.
+// How a long computation reports its progress.
 #pragma once
 
 #include <functional>

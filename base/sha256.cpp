@@ -21,7 +21,8 @@ void Sha256::add(std::string_view bytes) {
 }
 
 std::string Sha256::digits() {
-    // 5.1.1: a one, zeros, and the length in bits as 64-bit number, up to a whole block.
+    // FIPS 180-4, 5.1.1: a one bit, zeros, and the length in bits as a 64-bit number fill the last
+    // block.
     std::string tail = "\x80";
     while ((rest_.size() + tail.size()) % 64 != 56) tail += '\0';
     const std::uint64_t bits = size_ * 8;

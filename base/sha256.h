@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4): names what is kept by what it was made from, and tells damage.
+// SHA-256 (FIPS 180-4). Its digests name stored data by what it was made from, and detect damage.
 #pragma once
 
 #include <array>

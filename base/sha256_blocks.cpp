@@ -100,7 +100,7 @@ bool has_sha_instructions() {
             cdgh = _mm_sha256rnds2_epu32(cdgh, abef, sum);
             sum = _mm_shuffle_epi32(sum, 0x0E);
             abef = _mm_sha256rnds2_epu32(abef, cdgh, sum);
-            // The words of sixteen rounds on.
+            // The schedule words that are needed sixteen rounds later.
             const __m128i seven_back = _mm_alignr_epi8(last, w[(i + 2) % 4], 4);
             const __m128i first = _mm_sha256msg1_epu32(here, w[(i + 1) % 4]);
             here = _mm_sha256msg2_epu32(_mm_add_epi32(first, seven_back), last);
