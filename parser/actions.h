@@ -1,4 +1,4 @@
-// What the grammar's rules tell the builder: one line each.
+// The grammar's actions: what each rule tells the builder, one line per rule.
 #pragma once
 
 #include "parser/builder.h"
@@ -9,7 +9,7 @@ namespace lancer::grammar {
 template <class Rule>
 struct action : p::nothing<Rule> {};
 
-/// Calls a member of the builder with where the rule's text begins and ends.
+/// Calls a member of the builder with the begin and end of the matched text.
 template <void (Builder::*member)(const char*, const char*)>
 struct tell {
     template <class In>
@@ -17,7 +17,7 @@ struct tell {
         (builder.*member)(in.begin(), in.end());
     }
 };
-/// With where it begins.
+/// Calls it with the begin only.
 template <void (Builder::*member)(const char*)>
 struct tell_begin {
     template <class In>
@@ -25,7 +25,7 @@ struct tell_begin {
         (builder.*member)(in.begin());
     }
 };
-/// With where it ends.
+/// Calls it with the end only.
 template <void (Builder::*member)(const char*)>
 struct tell_end {
     template <class In>
@@ -33,7 +33,7 @@ struct tell_end {
         (builder.*member)(in.end());
     }
 };
-/// That it was read.
+/// Calls it without arguments.
 template <void (Builder::*member)()>
 struct tell_that {
     static void apply0(Builder& builder) { (builder.*member)(); }

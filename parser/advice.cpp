@@ -26,14 +26,14 @@ std::string count_of(const OpenEdges& open) {
                            : fmt::format("1 of its edges belongs to {} faces", open.faces);
 }
 
-/// A mesh that is one material's share of a file's.
+/// Describes a mesh that holds the faces of one material of a file.
 std::string piece_of(const Scene& scene, const Object& object) {
     const bool named = object.material < scene.material_names.size();
     return fmt::format("the faces of this mesh that are '{}'",
                        named ? scene.material_names[object.material] : "");
 }
 
-/// Glass without an inside.
+/// Finds transparent meshes that have no inside.
 class MeshAdvice {
   public:
     MeshAdvice(const Scene& scene, const std::unordered_set<const Mesh*>& pieces)

@@ -1,4 +1,4 @@
-// What is no mistake in a scene but seldom meant, and shows only when all of it is known.
+// Warnings about what is valid in a scene but seldom meant. They need the whole scene.
 #pragma once
 
 #include <unordered_set>
@@ -9,10 +9,11 @@
 
 namespace lancer {
 
-/// Warns, once for each place, of meshes that let light through and have an index of refraction or
-/// an absorption, but no inside, as they are not closed; and of bodies of which nothing is left.
+/// Warns, once per place, about transparent meshes that have an index of refraction or an
+/// absorption but no inside because they are not closed, and about composites of which nothing is
+/// left.
 ///
-/// \param pieces  meshes that are one material's share of a file's
+/// \param pieces  meshes that hold the faces of one material of a file
 std::vector<Diagnostic> advice_on(const Scene& scene,
                                   const std::unordered_set<const Mesh*>& pieces);
 

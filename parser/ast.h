@@ -1,5 +1,5 @@
-// What a script says, before anything in it has a meaning: statements with their places,
-// expressions as flat lists of steps. Generic: no shape, light or material is known here.
+// What a script says, before names have a meaning: statements with their places, expressions as
+// flat lists of steps. The tree is generic: it knows no shape, light or material.
 #pragma once
 
 #include <bit>
@@ -11,8 +11,8 @@
 
 namespace lancer::ast {
 
-/// Steps of an expression in postfix order, so that neither reading, evaluating nor destroying a
-/// long one recurses: each takes its operands from a stack and leaves its result there.
+/// Steps of an expression in postfix order, so that reading, evaluating and destroying a long one
+/// need no recursion. Each step takes its operands from a stack and leaves its result there.
 enum class Op : std::uint8_t {
     number,  ///< payload: the value's bits
     text,    ///< payload: a symbol
@@ -48,9 +48,9 @@ enum class Op : std::uint8_t {
     jump,    ///< after the second operand: past the third
     skip,    ///< jump over the steps of the block in place that comes next
     block,   ///< a material or texture in place; payload: index into File::statements
-    // Lists that are computed: the elements gather on the stack.
+    // Computed lists: the elements gather on the stack.
     gather,        ///< payload: the count of elements before the first computed one
-    bound,         ///< refuses what is no whole number
+    bound,         ///< reports a bound that is not a whole number
     each_number,   ///< from, to -> an iteration; payload: the variable, and the step after its end
     each_element,  ///< list -> an iteration; the same payload
     only_if,       ///< condition false: jump
@@ -70,7 +70,7 @@ struct Step {
     std::uint32_t high() const { return static_cast<std::uint32_t>(payload >> 32); }
 };
 
-/// A run of steps, and the run of bytes it was read from.
+/// A range of steps, and the range of bytes that it was read from.
 struct Expression {
     std::uint32_t begin = 0, end = 0;  ///< into File::steps; equal: there is none
     std::uint32_t offset = 0, length = 0;
@@ -78,7 +78,7 @@ struct Expression {
     bool empty() const { return begin == end; }
 };
 
-/// A run of elements of one of the file's arrays.
+/// A range of elements of one of the file's arrays.
 struct Range {
     std::uint32_t begin = 0, end = 0;
 
@@ -123,7 +123,7 @@ struct Statement {
     Range otherwise;  ///< into File::statements
 };
 
-/// Where a comment stands, its marks included.
+/// The place of a comment, including its delimiters.
 struct Comment {
     std::uint32_t offset = 0, length = 0;
 };

@@ -92,7 +92,7 @@ bool Builder::is_outer_statement(const char* at) {
 
 void Builder::comment(const char* begin, const char* end) {
     const std::uint32_t offset = offset_of(begin);
-    // Blanks are read again after a lookahead; a comment counts once.
+    // Blanks are read again after a lookahead; count each comment once.
     if (!file_.comments.empty() && file_.comments.back().offset >= offset) return;
     file_.comments.push_back({offset, static_cast<std::uint32_t>(end - begin)});
 }
@@ -132,7 +132,7 @@ void Builder::part() {
 
 void Builder::argument() {
     ast::Argument argument;
-    // A label from outside of a block in place belongs to the call around it.
+    // A label from outside of a block in place belongs to the call around that block.
     const std::size_t outside = within_.skips.empty() ? 0 : within_.skips.back().labels;
     if (within_.labels.size() > outside) {
         argument = within_.labels.back();

@@ -1,5 +1,5 @@
-// Puts the AST together while the grammar reads. Knows no PEGTL: the grammar's actions tell it what
-// was read, the grammar's rules ask it what only the context can say.
+// Builds the AST while the grammar reads. It does not depend on PEGTL: the grammar's actions tell
+// it what was read, and the grammar's rules ask it what only the context can answer.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace lancer::grammar {
 
-/// Thrown where the text stops being a script; caught by the statement around.
+/// Thrown where the text no longer follows the grammar; caught at the enclosing statement.
 struct SyntaxError {
     Message message;
     const char* at;
@@ -32,7 +32,7 @@ class Builder {
     std::uint32_t offset_of(const char* at) const {
         return static_cast<std::uint32_t>(at - text_.data());
     }
-    /// The name at `at`, empty where none stands or it is a reserved word.
+    /// The name at `at`; empty where there is none or where it is a reserved word.
     std::string_view word_at(const char* at) const;
     bool knows_property(std::string_view word);
     bool knows_block(std::string_view word);
@@ -43,15 +43,16 @@ class Builder {
     /// Length of the blanks and comments from `at` on.
     std::size_t blank_length(const char* at) const;
     void report_stray(const char* at);
-    /// Reports a `#` where a statement should stand; the length of what it spoils, its line.
+    /// Reports a `#` where a statement should stand. Returns the length of the text to skip: the
+    /// rest of its line.
     std::size_t report_hash(const char* at);
-    /// Reports a word such as `var` before a name and `=`; its length with the blanks behind it, 0
-    /// when there is none.
+    /// Reports a word such as `var` before a name and `=`. Returns its length with the blanks
+    /// behind it, 0 when there is none.
     std::size_t report_declarator(const char* at);
-    /// `material {` or `texture {` where a value may stand: not in the head of `for` and `if`,
-    /// whose own braces these may be.
+    /// Whether `material {` or `texture {` stands where a value may. Not in the head of `for` and
+    /// `if`, where the brace may open the statement's own body.
     bool is_block_in_place(const char* at);
-    /// A colour or block written as another language would where a value should stand.
+    /// Whether a colour or a block as another language writes it stands where a value should.
     bool is_foreign_value(const char* at);
     /// Throws where a statement of another language begins.
     void refuse_foreign_statement(const char* at);
@@ -72,7 +73,7 @@ class Builder {
 
     // --- Recovery
 
-    /// How much had been read, begun and nested at a place, in the order of the stacks.
+    /// The lengths of all stacks at a place, in the order of the stacks.
     struct Mark {
         const char* at = nullptr;
         std::array<std::size_t, 3> file;
@@ -85,7 +86,7 @@ class Builder {
         std::size_t brackets() const { return expressions[4]; }
     };
     Mark mark(const char* at);
-    /// Reports the error, drops what was read since the mark, returns where to go on.
+    /// Reports the error, drops what was read since the mark, and returns where to go on.
     const char* recover(const Mark& mark, const SyntaxError& error);
 
     // --- Told by actions (actions.h): expressions
@@ -145,7 +146,7 @@ class Builder {
     void begin_else();
     void end_else();
     void end_statement();
-    /// The file's own statements are complete.
+    /// Called when the file's own statements are complete.
     void end_file();
 
     ast::Expression last_value() const { return last_value_; }
@@ -163,9 +164,10 @@ class Builder {
     void emit(ast::Op op, const char* begin, const char* end, std::uint64_t payload);
     void pop_operator();
     ast::Range flush(std::size_t from);
-    /// Room for `more`, and where none is left for as many as the whole text has if the rest of it
-    /// is like what was read: a long script would else be copied again and again. Eight times as
-    /// many at most, so that a beginning that is unlike the rest takes no memory out of proportion.
+    /// Reserves room for `more` elements. When the array is full, the new capacity assumes that the
+    /// rest of the text is like the part that was read; otherwise a long script would be copied
+    /// again and again. The factor is at most eight, so that a beginning that is unlike the rest
+    /// does not take too much memory.
     template <class T>
     void make_room(std::vector<T>& read, std::size_t more) const {
         const std::size_t needed = read.size() + more;
@@ -175,7 +177,7 @@ class Builder {
         const double grown = static_cast<double>(needed) * std::clamp(1.05 * share, 1.25, 8.0);
         read.reserve(std::max(needed, static_cast<std::size_t>(grown)));
     }
-    /// What of the file a syntax error drops.
+    /// The arrays of the file that a syntax error cuts.
     auto file_stacks() { return std::tie(file_.arguments, file_.steps, file_.statements); }
     SourceSpan span(const char* begin, const char* end) const;
     std::string found_at(const char* at) const;

@@ -1,12 +1,12 @@
-// The builder's part for lists that are computed: each `for` becomes an iteration, whose steps
-// stand between one that opens it and one that goes back.
+// The builder's part for computed lists. Each `for` becomes an iteration: a step that opens it, the
+// steps of the elements, and a step that goes back.
 #include "parser/builder.h"
 
 namespace lancer::grammar {
 
 using ast::Op;
 
-/// A step that stands for a whole expression.
+/// Emits a step whose place is a whole expression.
 void Builder::emit_of(Op op, const ast::Expression& place) {
     const char* begin = text_.data() + place.offset;
     emit(op, begin, begin + place.length, 0);
@@ -65,7 +65,7 @@ void Builder::only_if() {
 void Builder::end_computed() {
     const ast::Step& last = file_.steps.back();
     file_.steps.push_back({0, last.offset, last.length, Op::keep});
-    // From the innermost clause out; conditions lead to the `again` of the `for` around them.
+    // From the innermost clause outwards. Conditions jump to the `again` of the `for` around them.
     std::size_t conditions = within_.clauses.size();
     for (std::size_t i = within_.clauses.size(); i-- > within_.computed.back();) {
         const Clause& clause = within_.clauses[i];

@@ -1,5 +1,5 @@
 // The builder's part for expressions: a flat chain of operands and operators becomes postfix steps
-// by precedence (Dijkstra's shunting yard), so long chains need no recursion.
+// by precedence (Dijkstra's shunting-yard algorithm), so long chains need no recursion.
 #include <algorithm>
 #include <charconv>
 #include <string>
@@ -21,7 +21,7 @@ struct Binding {
 constexpr std::uint8_t unary_precedence = 7;
 constexpr std::uint8_t power_precedence = 8;
 
-/// Weakest first, as in the manual.
+/// The weakest binding first, as in the manual.
 constexpr Binding bindings[] = {
     {"||", Op::or_end, 1},     {"&&", Op::and_end, 2},
     {"==", Op::equal, 3},      {"!=", Op::not_equal, 3},
@@ -228,7 +228,7 @@ bool Builder::is_block_in_place(const char* at) {
            (!within_.brackets.empty() && offset_of(within_.brackets.back()) > around.offset);
 }
 
-/// Its statements have steps of their own, over which the expression around goes on.
+/// The block's statements have steps of their own; the expression around the block skips them.
 void Builder::begin_in_place(const char* begin, const char* end) {
     within_.skips.push_back({static_cast<std::uint32_t>(file_.steps.size()), file_.arguments.size(),
                              file_.statements.size(), within_.labels.size()});
@@ -241,8 +241,8 @@ void Builder::end_in_place() {
     within_.skips.pop_back();
     ast::Step block = file_.steps[skip.step];
     file_.steps[skip.step].payload = file_.steps.size();
-    // What stands around may be reading arguments of its own. These are of calls that have no
-    // place in a block of properties.
+    // An expression or call around the block may be reading arguments. Those since the block began
+    // belong to calls, which a block of properties cannot hold, so they are dropped.
     for (std::size_t i = skip.statements; i < file_.statements.size(); ++i)
         file_.statements[i].arguments = {};
     file_.arguments.resize(skip.arguments);
@@ -284,7 +284,7 @@ void Builder::end_value() {
             if (statement.value.empty()) statement.value = last_value_;
             break;
         default:
-            break;  // taken by part(), argument(), default_value(), function_value()
+            break;  // part(), argument(), default_value() or function_value() takes it
     }
 }
 

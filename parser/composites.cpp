@@ -36,10 +36,10 @@ void SceneBuilder::check_part(const Shape& shape, const Attributes& attributes,
     if (error != nullptr) error->hint = sheet.hint;
 }
 
-/// At the end of a group.
+/// Called at the end of a group.
 void SceneBuilder::check_body(const Node& node) {
     if (!node.in_body) return;
-    // What could not be read may have been a body.
+    // A statement with an error may have been meant to be a body.
     if (!node.holds_body && !report_.any_error())
         report_.error(Message::body_of_nothing, node.place, word_of(node.joint));
     if (node.parent == none) return;
@@ -48,7 +48,7 @@ void SceneBuilder::check_body(const Node& node) {
         report_.warning(Message::shadow_of_part, node.place);
 }
 
-/// The node of the composite for a node of the builder; made with all above it where it is new.
+/// The composite's node for a node of the builder. It and its missing ancestors are made here.
 std::uint32_t SceneBuilder::tree_node(Composite& composite, std::vector<std::uint32_t>& children,
                                       std::uint32_t node) {
     std::vector<std::uint32_t> missing;
@@ -74,8 +74,8 @@ std::uint32_t SceneBuilder::tree_node(Composite& composite, std::vector<std::uin
     return parent;
 }
 
-/// Of the objects of the outermost group those that are parts of one body become its leaves; the
-/// first of them gives its place to the whole.
+/// Objects of the outermost group that are parts of one body become leaves of a composite. The
+/// composite takes the place of its first part.
 void SceneBuilder::make_composites(const std::vector<std::uint32_t>& node_of,
                                    const std::vector<bool>& own_material) {
     std::uint32_t current = none;

@@ -6,7 +6,7 @@ namespace lancer {
 namespace {
 
 // clang-format off
-/// In the order of the alphabet.
+/// In alphabetical order.
 constexpr CssColor colors[] = {
     {"aliceblue", 0xf0f8ff}, {"antiquewhite", 0xfaebd7}, {"aqua", 0x00ffff},
     {"aquamarine", 0x7fffd4}, {"azure", 0xf0ffff}, {"beige", 0xf5f5dc}, {"bisque", 0xffe4c4},

@@ -13,7 +13,7 @@ struct CssColor {
 };
 
 std::span<const CssColor> css_colors();
-/// The one of this name, in small letters; nullptr: there is none.
+/// The colour with this name, in lower case; nullptr when there is none.
 const CssColor* css_color(std::string_view name);
 
 }  // namespace lancer

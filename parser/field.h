@@ -1,5 +1,5 @@
-// Tables of fields: what a block's properties are called, take and mean. One table per block drives
-// reading, messages, did-you-mean and the list in docs/language.md.
+// Tables of fields: the names, values and meanings of a block's properties. One table per block
+// drives reading, messages, suggestions and the list in docs/language.md.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace lancer {
 
-/// Instead of a default, for properties that must be given.
+/// Stands in place of a default when a property must be given.
 inline constexpr std::string_view required = "required";
 
 struct Field {
@@ -22,7 +22,7 @@ struct Field {
     std::span<const std::string_view> words;  ///< if it takes one of a few words: these
     bool repeats = false;                     ///< may be given more than once
     /// Stores the value in the owner, a struct that the table was made for. Returns false when the
-    /// value is not what `takes` says; `instead` may then tell more about it.
+    /// value does not fit `takes`; `instead` may then describe the problem.
     bool (*read)(const Value& value, void* owner, std::string& instead) = nullptr;
 };
 
@@ -43,7 +43,7 @@ constexpr std::span<const std::string_view> words_of() {
     }
 }
 
-/// The field that is stored in `Member`. A Rule (rules.h) says what it takes, and reads it.
+/// A field that is stored in `Member`. A Rule (rules.h) describes and reads its value.
 template <auto Member, class Rule>
 constexpr Field field(std::string_view name, std::string_view standard, std::string_view doc) {
     using Owner = typename member_of<decltype(Member)>::owner;
@@ -58,7 +58,7 @@ constexpr Field field(std::string_view name, std::string_view standard, std::str
             }};
 }
 
-/// The same for a property that may be given more than once, each time adding to `Member`.
+/// The same for a property that may be given more than once; each time adds to `Member`.
 template <auto Member, class Rule>
 constexpr Field repeated_field(std::string_view name, std::string_view doc) {
     Field result = field<Member, Rule>(name, "none", doc);
@@ -66,7 +66,8 @@ constexpr Field repeated_field(std::string_view name, std::string_view doc) {
     return result;
 }
 
-/// A block: its own fields, and those that it shares with others and keeps in a second struct.
+/// A block: its own fields, and those that it shares with other blocks and stores in a second
+/// struct.
 struct BlockInfo {
     std::string_view keyword;
     std::string_view kind;  ///< the second word, of lights
@@ -81,8 +82,8 @@ struct BlockInfo {
     }
 };
 
-/// Every block of the language, in the order of the manual. `background` and `ambient`, which are
-/// properties of the file, stand in a block without a keyword.
+/// Every block of the language, in the order of the manual. `background` and `ambient` are
+/// properties of the file; they are in a block without a keyword.
 std::span<const BlockInfo> all_blocks();
 
 }  // namespace lancer

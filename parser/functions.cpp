@@ -124,7 +124,7 @@ Value clamp(std::string_view name, Arguments a, const Site& site) {
     return above.is_broken() ? above : combine(name, above, a[2], site, lesser);
 }
 
-/// a at t = 0 and b at t = 1, both exactly.
+/// a (1 - t) + b t: exactly a at t = 0 and exactly b at t = 1.
 Value mix(std::string_view name, Arguments a, const Site& site) {
     const auto product = [](double x, double y) { return x * y; };
     const Value rest =
@@ -217,7 +217,7 @@ Value range(std::string_view name, Arguments a, const Site& site) {
     const auto before_end = [&](double i) {
         return step > 0 ? start + i * step < end : start + i * step > end;
     };
-    // The quotient may be off by its rounding: look at its neighbours as the definition says.
+    // Rounding may make the quotient wrong by one: check its neighbours against the definition.
     double count = std::ceil((end - start) / step);
     if (!(count < static_cast<double>(std::numeric_limits<std::uint32_t>::max())) &&
         before_end(0)) {

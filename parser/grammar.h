@@ -1,7 +1,7 @@
-// The grammar of the scene language; reads from top to bottom like docs/language.md. Here stand no
-// messages (syntax_messages.h) and no actions (actions.h), and no shape, light or material either.
+// The grammar of the scene language, in the order of docs/language.md. The messages are in
+// syntax_messages.h, the actions in actions.h. No rule names a shape, light or material.
 //
-// A rule whose name ends in _needed stands behind must<> only: there, something else is an error.
+// A rule whose name ends in _needed is used only in must<>: any other text there is an error.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ struct print_word   : word<TAO_PEGTL_STRING("print")> {};
 struct true_word    : word<TAO_PEGTL_STRING("true")> {};
 struct false_word   : word<TAO_PEGTL_STRING("false")> {};
 
-// Most words begin with another letter than a reserved one.
+// The first letter alone rules out most words.
 template <char... Letters> struct letter : p::one<Letters...> {
     static constexpr bool begins(std::string_view word) { return ((word[0] == Letters) || ...); }
 };
@@ -79,12 +79,12 @@ struct color_digits_needed: p::seq<p::rep<6, p::xdigit>, p::not_at<p::identifier
 struct color              : p::if_must<p::one<'#'>, color_digits_needed> {};
 
 // --- 3. Expressions ----------------------------------------------------------------------------
-// One flat chain of operands and operators; which binds tighter is a table (operators.h).
+// One flat chain of operands and operators. A table (operators.h) has their precedence.
 
 struct body;
 struct expression;
 struct expression_needed : p::seq<expression> {};
-struct value_begin       : p::success {};   // marks where an expression that a statement owns begins
+struct value_begin       : p::success {};   // marks the begin of an expression that a statement owns
 struct value             : p::seq<value_begin, expression> {};
 struct value_needed      : p::seq<value> {};
 
@@ -100,7 +100,7 @@ struct each_word           : word<TAO_PEGTL_STRING("for")> {};
 struct each_variable       : p::seq<name> {};
 struct each_variable_needed: p::seq<each_variable> {};
 struct each_in_needed      : p::seq<in_word> {};
-struct each_from           : p::two<'.'> {};   // what stands before it is a bound
+struct each_from           : p::two<'.'> {};   // the expression before it is a bound
 struct each_range          : p::seq<each_from, ws, p::must<clause_value_needed>> {};
 struct each_list           : p::success {};
 struct each                : p::seq<each_word, ws, p::must<each_variable_needed>, ws, p::must<each_in_needed>,
@@ -150,7 +150,7 @@ struct primary : p::sor<number, in_place, name_or_call, nested<list, '['>, neste
                         true_word, false_word> {};
 
 struct component           : p::seq<p::one<'x', 'y', 'z'>, p::not_at<p::identifier_other>> {};
-struct member_needed       : p::at<ws, component> {};   // looked ahead, so that an error stands at the dot
+struct member_needed       : p::at<ws, component> {};   // lookahead, so that an error is reported at the dot
 struct member              : p::seq<p::one<'.'>, p::not_at<p::one<'.'>>, p::must<member_needed>, ws, component> {};
 struct index_open          : p::one<'['> {};
 struct index_close_needed  : p::one<']'> {};
@@ -272,7 +272,7 @@ struct file_body : p::until<p::eof, p::sor<stray, stray_brace,
                                            recovering<p::must<statement_needed>>>> {};
 struct file      : p::seq<recovering<ws>, file_body> {};
 
-/// What stands behind -D name=
+/// The value of -D name=value.
 struct lone_end_needed   : p::eof {};
 struct lone_expression   : p::seq<ws, p::must<value_needed>, p::must<lone_end_needed>> {};
 

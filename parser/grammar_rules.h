@@ -1,5 +1,5 @@
-// Rules that a grammar cannot express without a look at what the builder knows: which words the
-// block around knows as properties, how deep the text is nested, and where to go on after an error.
+// Rules that need information from the builder: the properties of the block around, the depth of
+// nesting, and where to go on after an error.
 #pragma once
 
 #include <tao/pegtl.hpp>
@@ -11,7 +11,7 @@ namespace lancer::grammar {
 
 namespace p = tao::pegtl;
 
-/// Rules below that match or not by asking the builder; `ask` leaves the input where it was.
+/// Rules that ask the builder whether they match. `ask` does not move the input.
 template <class Derived>
 struct builder_rule {
     using rule_t = Derived;
@@ -29,7 +29,7 @@ std::uint32_t offset_of(const In& in, const Builder& builder) {
     return builder.offset_of(in.current());
 }
 
-/// A name that the block around knows as a property.
+/// A name that is a property of the block around.
 struct known_property : builder_rule<known_property> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -40,7 +40,7 @@ struct known_property : builder_rule<known_property> {
     }
 };
 
-/// A name that the block around knows as a property and that is no block's keyword.
+/// A name that is a property of the block around and not a block's keyword.
 struct plain_property : builder_rule<plain_property> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -49,7 +49,7 @@ struct plain_property : builder_rule<plain_property> {
     }
 };
 
-/// A block on a line of its own where an operand should stand: the operand is missing.
+/// A block on a line of its own where an operand should stand: so the operand is missing.
 struct next_block : builder_rule<next_block> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -68,7 +68,7 @@ struct known_block : builder_rule<known_block> {
     }
 };
 
-/// A name that the block whose keyword was just read knows as a property.
+/// A name that is a property of the block whose keyword was just read.
 struct property_of_block : builder_rule<property_of_block> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -79,7 +79,7 @@ struct property_of_block : builder_rule<property_of_block> {
     }
 };
 
-/// `{`, or a property where it should stand: then the brace is reported and taken as read.
+/// `{`, or a property in its place: then the missing brace is reported and assumed.
 struct block_open_or_property : builder_rule<block_open_or_property> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -93,7 +93,7 @@ struct block_open_or_property : builder_rule<block_open_or_property> {
     }
 };
 
-/// A property's name where the value of another should stand, as in `center radius 1`.
+/// The name of a property where the value of another should stand, as in `center radius 1`.
 struct value_left_out : builder_rule<value_left_out> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -101,7 +101,7 @@ struct value_left_out : builder_rule<value_left_out> {
     }
 };
 
-/// A material or texture in place where an operand stands.
+/// A material or texture in place, where an operand may stand.
 struct block_in_place : builder_rule<block_in_place> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -110,7 +110,7 @@ struct block_in_place : builder_rule<block_in_place> {
     }
 };
 
-/// What has no value here but has one elsewhere: a colour behind `rgb`, a block in place.
+/// A value in the form of another language: a colour after `rgb`, a block in place.
 struct foreign_value : builder_rule<foreign_value> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -118,7 +118,8 @@ struct foreign_value : builder_rule<foreign_value> {
     }
 };
 
-/// A statement of another language, `while` or `elif`: an error, and its body is skipped.
+/// A statement of another language, such as `while` or `elif`: it is an error, and its body is
+/// skipped.
 struct foreign_statement : builder_rule<foreign_statement> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -127,7 +128,7 @@ struct foreign_statement : builder_rule<foreign_statement> {
     }
 };
 
-/// `# …` where a statement should stand: reported, and skipped with its line.
+/// `# …` where a statement should stand: it is reported, and its line is skipped.
 struct stray_hash : builder_rule<stray_hash> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -138,7 +139,7 @@ struct stray_hash : builder_rule<stray_hash> {
     }
 };
 
-/// `var` before a name and `=`: reported and skipped, so that the name counts as declared.
+/// `var` before a name and `=`: it is reported and skipped, so that the name counts as declared.
 struct stray_declarator : builder_rule<stray_declarator> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -149,7 +150,7 @@ struct stray_declarator : builder_rule<stray_declarator> {
     }
 };
 
-/// `=` between a property and its value: reported and skipped.
+/// `=` between a property and its value: it is reported and skipped.
 struct stray_equals : builder_rule<stray_equals> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -161,7 +162,7 @@ struct stray_equals : builder_rule<stray_equals> {
     }
 };
 
-/// `;` or `,` between statements: reported and skipped.
+/// `;` or `,` between statements: it is reported and skipped.
 struct stray_separator : builder_rule<stray_separator> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -173,7 +174,7 @@ struct stray_separator : builder_rule<stray_separator> {
     }
 };
 
-/// A `}` that closes nothing: reported and skipped.
+/// A `}` that closes nothing: it is reported and skipped.
 struct stray_brace : builder_rule<stray_brace> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -185,8 +186,8 @@ struct stray_brace : builder_rule<stray_brace> {
     }
 };
 
-/// A statement that cannot belong to the block around, and by its indentation does not: the
-/// block's `}` is missing.
+/// A statement that cannot belong to the block around and is indented less: so the block's `}` is
+/// missing.
 struct outer_statement : builder_rule<outer_statement> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -194,7 +195,7 @@ struct outer_statement : builder_rule<outer_statement> {
     }
 };
 
-/// `}`; where it is missing that is reported, with its opener, and taken as read.
+/// `}`. A missing one is reported, with its opening brace, and assumed.
 struct body_close : builder_rule<body_close> {
     template <class In>
     static bool test(In& in, Builder& builder) {
@@ -208,7 +209,7 @@ struct body_close : builder_rule<body_close> {
     }
 };
 
-/// One level of nesting, up to the limit. `First`: the characters that the rule can begin with.
+/// One level of nesting, up to the limit. `First`: the characters with which the rule can begin.
 template <class Rule, char... First>
 struct nested {
     using rule_t = nested;
@@ -224,7 +225,7 @@ struct nested {
     }
 };
 
-/// A statement; after a syntax error in it the builder says where to go on.
+/// A statement. After a syntax error in it the builder decides where to go on.
 template <class Rule>
 struct recovering {
     using rule_t = recovering;

@@ -188,7 +188,7 @@ constexpr Entry directives[] = {
     {"error", "use 'assert condition, \"message\"' to report an error"},
 };
 
-/// Characters by how they begin.
+/// Characters by their first bytes.
 constexpr Entry characters[] = {
     {"\xE2\x80\x98", "use straight double quotes around a string: \"text\""},
     {"\xE2\x80\x99", "use straight double quotes around a string: \"text\""},

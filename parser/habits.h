@@ -1,4 +1,4 @@
-// What people write who come from other programs, and what this language has instead: for hints.
+// Hints for habits from other programs: what this language has instead.
 #pragma once
 
 #include <string>
@@ -6,42 +6,42 @@
 
 namespace lancer::habits {
 
-/// What to write instead of a word of another language (a block, a property, a statement, an
-/// operator, a function), as a hint; empty when the word is not a known one.
+/// A hint what to write instead of a word of another language (a block, property, statement,
+/// operator or function). Empty when the word is unknown.
 std::string_view instead_of(std::string_view word);
 
-/// What has parameters here: where one kind is written as the other.
+/// A hint for a function that is written as a template, or the other way round.
 inline constexpr std::string_view callables =
     "use 'func name(a, b) = ...' for a value, 'def name(a, b) { ... }' for statements";
 
-/// How a list is computed here.
+/// An example of a computed list.
 inline constexpr std::string_view computed = "[for i in 0..10 if i % 2 == 0: i * i]";
 
-/// A word that begins a statement elsewhere and that is followed by something other than a value:
-/// `while x < 3 {`, `elif`, `function f() {`.
+/// Whether the word begins a statement in other languages. It must be followed by something other
+/// than a value: `while x < 3 {`, `elif`, `function f() {`.
 bool begins_foreign_statement(std::string_view word);
-/// A word that stands before `name = value` elsewhere, as `const` and `var` do.
+/// Whether the word stands before `name = value` in other languages, such as `const` and `var`.
 bool declares(std::string_view word);
 
-/// A word before the numbers of a colour elsewhere: `rgb <1, 0, 0>`.
+/// Whether the word stands before the numbers of a colour in other languages: `rgb <1, 0, 0>`.
 bool announces_color(std::string_view word);
-/// The hint for a colour that is written as its name alone; empty when it is none.
+/// The hint for a colour that is written as its bare name; empty when there is no such colour.
 std::string color_called(std::string_view name);
 
-/// `mm`, `deg` and the like.
+/// Whether the word is a unit: `mm`, `deg` and the like.
 bool is_unit(std::string_view word);
 /// The hint for a number with such a unit.
 std::string_view about_unit(std::string_view unit);
 
-/// The hint for a directive of POV-Ray or of a preprocessor, without its `#`.
+/// The hint for a directive of POV-Ray or of a preprocessor, given without its `#`.
 std::string_view instead_of_directive(std::string_view word);
 
-/// The hint for the character at the start of `text`, when it only looks like one of the language
-/// (curly quotes, a long minus) or is a letter with an accent; empty otherwise.
+/// The hint for the character at the start of `text` when it only looks like a character of the
+/// language (curly quotes, a long minus) or is a letter with an accent; otherwise empty.
 std::string_view about_character(std::string_view text);
 
-/// "a vector is written [0, 1, 5]" from what stands between other brackets, or with `otherwise`
-/// where that is no short list of two or three.
+/// "a vector is written [0, 1, 5]", made from the text between other brackets. Uses `otherwise`
+/// when that text is not a list of two or three short items.
 std::string vector_hint(std::string_view inside, std::string_view what = "a vector",
                         std::string_view otherwise = "x, y, z");
 

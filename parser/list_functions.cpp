@@ -12,7 +12,7 @@ Value takes(std::string_view name, std::string_view what, const std::string& giv
     return {};
 }
 
-/// Room for so many elements, counted against the limits.
+/// Reserves room for `count` elements and counts them against the limits.
 std::vector<Value> room_for(std::uint64_t count, const Site& site) {
     site.meter.elements(count, site.place);
     site.meter.held(Value::held_bytes() + count * sizeof(Value), site.place);
@@ -21,7 +21,7 @@ std::vector<Value> room_for(std::uint64_t count, const Site& site) {
     return room;
 }
 
-/// A sum and what was lost of it.
+/// A sum and its accumulated rounding error.
 struct Sum {
     double value = 0, lost = 0;
 

@@ -1,5 +1,5 @@
-// The language's functions of lists, for the table in functions.cpp. Each is as Function::apply
-// says.
+// The language's functions of lists, for the table in functions.cpp. Function::apply describes the
+// parameters.
 #pragma once
 
 #include <span>
@@ -11,11 +11,11 @@ namespace lancer {
 
 Value concat_lists(std::string_view name, std::span<const Value> arguments, const Site& site);
 Value reverse_list(std::string_view name, std::span<const Value> arguments, const Site& site);
-/// Of strings, too.
+/// Also for strings.
 Value slice(std::string_view name, std::span<const Value> arguments, const Site& site);
 Value last_element(std::string_view name, std::span<const Value> arguments, const Site& site);
-/// With the rounding errors added up beside the sum. Source: Neumaier, "Rundungsfehleranalyse
-/// einiger Verfahren zur Summation endlicher Summen", ZAMM 54, 1974.
+/// Compensated summation. Source: Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation
+/// endlicher Summen", ZAMM 54, 1974.
 Value sum_list(std::string_view name, std::span<const Value> arguments, const Site& site);
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// Every message of the parser, in one place. A test asks for a scene in scenes/bad/ for each.
+// Every message of the parser. A test requires a scene in scenes/bad/ for each.
 #pragma once
 
 #include <string_view>

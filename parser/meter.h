@@ -1,4 +1,4 @@
-// What a script has cost so far, against its limits.
+// Counts the cost of a script against its limits.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-/// Counts up; passing a limit is reported at its place and ends the evaluation (StopReading).
+/// Passing a limit is reported at its place and ends the evaluation (StopReading).
 class Meter {
   public:
     Meter(const Limits& limits, Report& report) : limits_(limits), report_(report) {}
@@ -22,17 +22,17 @@ class Meter {
             stop(Message::element_limit, place, limits_.list_elements);
         elements_ += count;
     }
-    /// Bytes of lists and strings at one time.
+    /// Checks the bytes of lists and strings that are held at one time.
     void held(std::uint64_t bytes, const SourceSpan& place) {
         if (bytes > limits_.held_bytes) stop(Message::held_limit, place, limits_.held_bytes);
     }
-    /// Bytes of strings and printed lines.
+    /// Counts the bytes of strings and printed lines.
     void text(std::uint64_t bytes, const SourceSpan& place) {
         if (bytes > limits_.text_bytes - text_)
             stop(Message::text_limit, place, limits_.text_bytes);
         text_ += bytes;
     }
-    /// Source text of one more file.
+    /// Counts the source text of one more file.
     void source(std::uint64_t bytes, const SourceSpan& place) {
         if (bytes > limits_.source_bytes - source_)
             stop(Message::source_limit, place, limits_.source_bytes);

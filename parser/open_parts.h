@@ -1,6 +1,6 @@
-// What a script's reader has begun and not ended, in stacks: statements, and the expressions in
-// them. After a syntax error all that was begun since some place is dropped, so each stack can tell
-// its length and be cut to one.
+// Statements and expressions that the reader has begun and not ended, in stacks. After a syntax
+// error all that was begun since some place is dropped: each stack can report its length and be cut
+// to an earlier one.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ void cut(const std::tuple<Stacks&...>& stacks,
 }
 
 struct OpenStatements {
-    /// A body that is being read, or the file.
+    /// The file, or a body that is being read.
     struct Context {
         const PropertySet* properties = nullptr;
         bool properties_only = false;
@@ -53,18 +53,18 @@ struct OpenExpressions {
         const char* end;
         std::uint32_t branch;  ///< the step whose jump it ends, for && and ||
     };
-    /// What stands in brackets so far.
+    /// The list that is being read.
     struct Listed {
         std::uint32_t count = 0;
-        bool gathers = false;  ///< some of it is computed
+        bool gathers = false;  ///< an element of it is computed
     };
-    /// `for` or `if` of a list that is computed.
+    /// A `for` or `if` of a computed list.
     struct Clause {
         ast::Step word;
-        Symbol variable = no_symbol;  ///< none: an `if`
+        Symbol variable = no_symbol;  ///< none for an `if`
         std::uint32_t step = 0;       ///< whose payload is to be completed
     };
-    /// A block in place: what there was before it.
+    /// A block in place: the lengths of the arrays before it.
     struct Skip {
         std::uint32_t step = 0;
         std::size_t arguments = 0, statements = 0, labels = 0;

@@ -44,14 +44,14 @@ std::string_view symbol_of(Op op) {
     }
 }
 
-/// The remainder with the sign of b.
+/// The remainder of a / b, with the sign of b.
 double modulo(double a, double b) {
     const double r = std::fmod(a, b);
     if (r == 0) return std::copysign(0.0, b);
     return (r < 0) != (b < 0) ? r + b : r;
 }
 
-/// One component; sets `wrong` after reporting why there is no result.
+/// The result for one component. Reports an error and sets `wrong` when there is none.
 double arithmetic(Op op, double a, double b, const Site& site, bool& wrong) {
     if (wrong) return 0;
     switch (op) {
@@ -109,7 +109,7 @@ Value apply_arithmetic(Op op, const Value& a, const Value& b, const Site& site) 
     return result;
 }
 
-/// A number that carries what its rounding lost.
+/// A number and its rounding error (a double-word).
 struct Pair {
     double high = 1;
     double low = 0;
@@ -133,7 +133,7 @@ double power(double x, double y) {
         if (n & 1) result = multiply(result, square);
         if (n > 1) square = multiply(square, square);
     }
-    // Where the pair left the range of numbers on its way, the library's function knows better.
+    // If the pair overflowed or underflowed on the way, the library's function gives the result.
     const double whole = result.high + result.low;
     const double value = y < 0 ? 1 / whole : whole;
     const bool in_range =
@@ -152,7 +152,8 @@ bool is_finite_value(const Value& v) {
 bool equal_values(const Value& a, const Value& b, const Site& site) {
     if (a.is_list() && b.is_list()) {
         if (a.size() != b.size()) return false;
-        // Shared lists can be far longer than what was made of them: comparing counts as making.
+        // A list can be far longer than the work that made it, because parts are shared: so
+        // comparisons count like elements made.
         site.meter.elements(a.size(), site.place);
         for (std::uint64_t i = 0; i < a.size(); ++i)
             if (!equal_values(a.at(i), b.at(i), site)) return false;
@@ -235,7 +236,8 @@ Value characters_of(const Value& text, std::uint64_t from, std::uint64_t count, 
     std::size_t begin = from;
     std::size_t end = from + count;
     if (text.characters() != all.size()) {
-        // Some take several bytes: they are looked for from the start, which counts as reading.
+        // Characters have different lengths in bytes, so the search begins at the start; this
+        // counts as reading.
         site.meter.elements(from + count, site.place);
         const auto after = [&](std::size_t at, std::uint64_t steps) {
             for (; steps > 0; --steps) do

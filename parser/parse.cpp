@@ -71,7 +71,7 @@ Evaluation evaluate(const Script& script, const Definitions& definitions, const 
         if (!report.any_error())
             for (Diagnostic& warning : advice_on(result.scene, evaluator.builder().pieces))
                 found.push_back(std::move(warning));
-        // In the order of the text, whichever stage found them.
+        // Sorts the diagnostics by their places in the text, whichever stage found them.
         const auto key = [](const Diagnostic& d) {
             return std::pair(d.where.file, d.where.offset);
         };

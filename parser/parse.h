@@ -1,4 +1,4 @@
-// Script text → AST → Scene. The folder's public face; PEGTL and the AST stay behind it.
+// Script text → AST → Scene: the public interface of the folder. PEGTL and the AST are private.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@
 
 namespace lancer {
 
-struct Program;  // parser/program.h: the AST, the symbols, what was loaded
+struct Program;  // parser/program.h: the AST, the symbols, loaded files
 
-/// Bounds on what a script may cost; passing one is an ordinary error at its place.
+/// Bounds on what a script may cost. Passing one is an ordinary error with a place.
 struct Limits {
     std::uint64_t statements = 50'000'000;  ///< executions; an iteration of a loop counts as one
     std::uint64_t calls = 512;              ///< nested calls or includes
@@ -31,15 +31,15 @@ struct Limits {
     std::uint64_t text_bytes = 256ull << 20;  ///< strings ever made, printed lines included
 };
 
-/// What the command line says about a script's params.
+/// What the command line defines for a script's params.
 struct Definitions {
     std::vector<std::pair<std::string, std::string>> values;  ///< -D name=value, in order
     std::optional<double> frame;  ///< of an animation; without one both params are 0
     std::optional<double> time;   ///< 0..1 from the first frame to the last
 };
 
-/// How the files that a script names are read: each throws FileError. Tests and fuzzing put their
-/// own.
+/// How the files that a script names are read; each function throws FileError. Tests and fuzzing
+/// have their own.
 struct Loader {
     std::function<std::string(const std::string& path, std::size_t limit)> text;
     std::function<io::LoadedMesh(const std::string& path)> mesh;
@@ -49,8 +49,8 @@ struct Loader {
 /// Reads from disk, by the functions of model/io.
 Loader disk_loader();
 
-/// A parsed script. The files that it includes are read when they are met; they, meshes and images
-/// are kept, so that evaluating it again (the next frame) reads nothing twice.
+/// A parsed script. Included files are read when the script reaches them. They, meshes and images
+/// are kept, so that a second evaluation (the next frame) reads nothing again.
 class Script {
   public:
     Script();
@@ -62,23 +62,23 @@ class Script {
     std::unique_ptr<Program> program;
 };
 
-/// Reads `text` as a script called `name` (what messages show, and what relative names in it are
-/// relative to; "-" is standard input, relative to the current folder). Syntax errors are added to
-/// `found`, and the statements that could be read are in the result all the same.
+/// Parses `text` as the script `name`. Messages show this name, and relative file names in the
+/// script are relative to it; "-" is standard input, relative to the current folder. Syntax errors
+/// are added to `found`; the result holds the statements that could be read.
 Script parse_script(const std::string& name, std::string text, const Limits& limits,
                     SourceMap& sources, std::vector<Diagnostic>& found);
 
-/// What an evaluation brings beside the scene.
+/// The result of an evaluation.
 struct Evaluation {
     Scene scene;                           ///< usable only when no error was found
     std::vector<std::string> printed;      ///< lines of `print`
     std::vector<Diagnostic> usage_errors;  ///< -D with an unknown name or a bad value: exit code 2
 };
 
-/// Runs a script. Errors and warnings are added to `found`; evaluation goes on after an error as
-/// far as it makes sense, so that one run reports all it can. Loads the mesh and image files that
-/// the scene names. `script.program` is written to (what was loaded), so a script is not for
-/// several threads at once.
+/// Runs a script. Errors and warnings are added to `found`. Evaluation goes on after an error as
+/// far as possible, so that one run reports all it can. Loads the mesh and image files that the
+/// scene names. Writes to `script.program` (the loaded files), so several threads must not share a
+/// script.
 Evaluation evaluate(const Script& script, const Definitions& definitions, const Limits& limits,
                     SourceMap& sources, std::vector<Diagnostic>& found,
                     const Loader& loader = disk_loader());

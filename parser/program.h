@@ -1,4 +1,4 @@
-// What is kept of a script between its evaluations: syntax, symbols, and the files it named.
+// What a script keeps between evaluations: syntax, symbols, and the files that it named.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace lancer {
 
-/// A file that was loaded once, or why it could not be.
+/// A file that was loaded once, or the reason why it could not be.
 template <class Content>
 struct Loaded {
     std::shared_ptr<const Content> content;
@@ -37,7 +37,8 @@ struct Program {
     std::map<std::string, Loaded<io::LoadedMesh>> meshes;
     std::map<std::pair<std::string, io::ColorSpace>, Loaded<Image>> images;
     std::map<const io::LoadedMesh*, io::ObjMaterials> mesh_materials;
-    /// Meshes with several materials, one for each of them; second: with normals for smoothness.
+    /// The pieces of meshes with several materials, one piece per material. The second part of the
+    /// key: with normals for smooth shading.
     std::map<std::pair<const Mesh*, bool>, std::vector<std::shared_ptr<const Mesh>>> mesh_pieces;
 };
 

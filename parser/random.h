@@ -6,9 +6,9 @@
 
 namespace lancer {
 
-/// SplitMix64's finaliser over the bits of each number in turn.
-/// Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014; the
-/// constants are Stafford's variant 13. docs/language.md has the algorithm in words.
+/// The finaliser of SplitMix64 over the bits of each number in turn. Source: Steele, Lea, Flood,
+/// "Fast splittable pseudorandom number generators", OOPSLA 2014; the constants are Stafford's
+/// variant 13. docs/language.md describes the algorithm.
 class RandomHash {
   public:
     void add(double x) {

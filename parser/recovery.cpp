@@ -1,5 +1,5 @@
-// What the builder does about syntax errors: says what was expected, and finds the next statement
-// of the same depth to go on with.
+// The builder's part for syntax errors: reports what was expected, and finds the next statement of
+// the same depth.
 #include <algorithm>
 
 #include "model/utf8.h"
@@ -11,7 +11,7 @@ namespace lancer::grammar {
 using Kind = ast::Statement::Kind;
 using Token = scan::Token;
 
-/// The token at `at` for a message; at the end of the text the last one before it.
+/// The token at `at`, for a message; at the end of the text, the last token before it.
 SourceSpan Builder::span_of_token(const char* at) const {
     const Token token = scan::next_token(text_, offset_of(at));
     if (token.kind != Token::Kind::end)
@@ -47,7 +47,7 @@ Builder::Mark Builder::mark(const char* at) {
 }
 
 Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
-    // What is no text at all has been reported, as such.
+    // Invalid UTF-8 has been reported already.
     const std::size_t stop = scan::skip_blanks(text_, offset_of(error.at));
     if (stop < text_.size() && find_invalid_utf8(text_.substr(0, stop + 1), stop) == stop &&
         find_invalid_utf8(text_, stop) == stop)
@@ -57,7 +57,7 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
     Diagnostic* said = nullptr;
     switch (error.message) {
         case Message::comment_not_closed:
-            // Where a word is followed by the comment at once, no blank has noted its opening.
+            // When the comment directly follows a word, no blank has recorded where it opens.
             if (comment_open_ == nullptr) {
                 const std::size_t open = text_.rfind("/*", offset_of(error.at));
                 comment_open_ = open == std::string_view::npos ? error.at : text_.data() + open;
@@ -103,7 +103,7 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
             said = report_.error(error.message, where, found);
             break;
         case Message::expected_equals: {
-            // Where a line ends without a value, that line is meant, not the next.
+            // If a line ends without a value, the error is on that line, not on the next.
             const SourceSpan name = file_.name_span(open_.building.back());
             const std::size_t line_end = scan::line_end(text_, name.offset);
             return where.offset >= line_end ? report_.error(Message::value_missing, name,
@@ -131,7 +131,8 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
 
 const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     if (Diagnostic* said = report(mark, error)) said->hint = hint_for(error);
-    // Whatever it declares counts as declared: an error is not to bring others after it.
+    // The names that a broken statement declares count as declared, so that no errors follow from
+    // it.
     const bool in_statement = open_.building.size() > mark.building();
     ast::Statement broken;
     if (in_statement) broken = open_.building[mark.building()];
@@ -149,12 +150,12 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     const PropertySet& known = *open_.contexts.back().properties;
     const bool statements = !open_.contexts.back().properties_only;
     const std::size_t start = scan::skip_blanks(text_, offset_of(mark.at));
-    // A reserved word in the place of a name is no statement to go on with.
+    // A reserved word in place of a name does not begin the next statement.
     const bool is_word =
         (error.message == Message::expected_name && span_of_token(error.at).length > 1) ||
         (error.message == Message::expected_value && is_foreign_value(error.at));
-    // A statement of another language goes to the end of its line, or of its body; so does a
-    // condition that has more behind it.
+    // A statement of another language is skipped to the end of its line or body. So is a condition
+    // with more text after it.
     const bool whole_line =
         error.message == Message::unknown_word || error.message == Message::expected_open_brace;
     const std::size_t stop = offset_of(error.at) + (is_word ? 1 : 0);
@@ -189,7 +190,7 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
                 if (!past || braces > 0) break;
                 if (whole_line && !scan::is_first_on_line(text_, token.begin)) break;
                 const std::string_view word = text_.substr(token.begin, token.end - token.begin);
-                // Within brackets these belong to a list that is computed.
+                // Within brackets, `for` and `if` belong to a computed list.
                 if (brackets > 0 && (word == "for" || word == "if") &&
                     !scan::is_first_on_line(text_, token.begin))
                     break;

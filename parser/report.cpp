@@ -5,7 +5,7 @@
 namespace lancer {
 namespace {
 
-/// Notes on the calls that led to an error.
+/// The largest number of notes on the calls that led to an error.
 constexpr std::size_t most_call_notes = 8;
 
 }  // namespace
@@ -21,7 +21,8 @@ Diagnostic* Report::add(Severity severity, Message message, const SourceSpan& wh
                         std::string text) {
     if (full_) throw StopReading{};
     if (severity == Severity::warning && warnings_ == most_warnings) return nullptr;
-    // Several warnings about one file stand at its name.
+    // Several warnings about one file have the same place, the file's name; their texts distinguish
+    // them.
     const std::string which = severity == Severity::warning ? text : std::string();
     if (!seen_.emplace(where.file, where.offset, message, which).second) return nullptr;
     if (severity == Severity::warning) {

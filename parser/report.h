@@ -1,5 +1,5 @@
-// Collects what is wrong with a script: once per place, with the calls that led there, up to a
-// bound.
+// Collects the errors and warnings of a script: each message once per place, with the calls that
+// led there, up to a maximum number.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,22 +14,22 @@
 
 namespace lancer {
 
-/// Thrown when nothing more is to be found: a limit was passed, or too many errors.
+/// Thrown when the work must end: a limit was passed, or there are too many errors.
 struct StopReading {};
 
 /// A call or include that is being executed.
 struct CallSite {
     SourceSpan place;
-    std::string_view name;  ///< of the template; of an include empty
+    std::string_view name;  ///< of the template or function; empty for an include
 };
 
 class Report {
   public:
-    /// Adds to `found`, where the errors of an earlier stage may stand already.
+    /// Adds to `found`, which may already hold errors of an earlier stage.
     explicit Report(std::vector<Diagnostic>& found);
 
     /// Adds a diagnostic, unless the same message was reported for this place. Returns it, for
-    /// hints and notes, or nullptr. The pointer holds until the next call.
+    /// hints and notes, or nullptr. The pointer is valid until the next call.
     template <class... Args>
     Diagnostic* error(Message message, const SourceSpan& where, const Args&... args) {
         return add(Severity::error, message, where, fill(message, args...));
@@ -44,12 +44,12 @@ class Report {
         return {Severity::note, where, fill(message, args...), "", {}};
     }
 
-    /// Calls and includes that are being executed, outermost first: they become notes.
+    /// Calls and includes that are being executed, outermost first. They become notes.
     std::vector<CallSite> calls;
 
     bool any_error() const { return errors_ > 0; }
 
-    /// Errors that one run reports.
+    /// The maximum number of errors of one run.
     static constexpr std::size_t most_errors = 100;
     static constexpr std::size_t most_warnings = 100;
 

@@ -1,4 +1,4 @@
-// What properties take: each rule names it for messages and reads it from a value.
+// The rules of properties: each describes its values for messages and reads a value.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace lancer::rules {
 
-// --- Numbers. Each also reads into a std::optional<double>.
+// --- Numbers. Each rule can also read into a std::optional<double>.
 
 template <class Condition>
 struct NumberRule {
@@ -113,7 +113,7 @@ struct Direction {
         return read_vector(value, *out) && *out != Vec3d(0, 0, 0);
     }
 };
-/// Lights may take light away, so their colours may be negative.
+/// A light may have a negative colour: then it takes light away.
 struct LightColor {
     static constexpr std::string_view takes = "a colour, [red, green, blue] or #rrggbb";
     static bool read(const Value& value, Color& out, std::string&) {
@@ -157,7 +157,7 @@ struct WordRule : Words<Enum> {
 
 // --- Lists
 
-/// Reads every element with `one`; names the first that does not fit.
+/// Reads every element with `one`; `instead` names the first that does not fit.
 template <class Element, class Read>
 bool read_list(const Value& value, std::vector<Element>& out, std::string& instead, Read one) {
     if (!value.is_list()) return false;
@@ -239,7 +239,7 @@ struct MaterialRule {
     }
 };
 
-/// What a material's `color` may be.
+/// The value of a material's `color`.
 struct ColorOrTexture {
     Color color{1, 1, 1};
     std::uint32_t texture = none;

@@ -9,7 +9,7 @@ std::size_t line_end(std::string_view text, std::size_t at) {
 }
 
 bool is_reserved(std::string_view word) {
-    // Most words begin with another letter than any of these.
+    // The first letter alone rules out most words.
     static constexpr std::uint32_t beginnings = [] {
         std::uint32_t bits = 0;
         for (const std::string_view reserved : reserved_words) bits |= 1U << (reserved[0] - 'a');

@@ -1,4 +1,4 @@
-// Looking at script text without the grammar: for lookahead, messages and recovery.
+// Reads script text without the grammar: for lookahead, messages and recovery.
 #pragma once
 
 #include <array>
@@ -23,10 +23,10 @@ constexpr bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
 
-/// Where the line that holds `at` ends: its LF, CRLF or CR, or the end of the text.
+/// The end of the line that contains `at`: its LF, CRLF or CR, or the end of the text.
 std::size_t line_end(std::string_view text, std::size_t at);
 
-/// The words that cannot be names.
+/// Words that cannot be names.
 inline constexpr std::array<std::string_view, 13> reserved_words{
     "include", "let",  "param",  "def",   "func", "for",  "in",
     "if",      "else", "assert", "print", "true", "false"};
@@ -34,7 +34,8 @@ bool is_reserved(std::string_view word);
 /// A reserved word that begins a statement.
 bool begins_statement(std::string_view word);
 
-/// The position after the blanks and comments from `at` on. An open comment lasts to the end.
+/// The position after the blanks and comments at `at`. A comment that is not closed extends to the
+/// end of the text.
 std::size_t skip_blanks(std::string_view text, std::size_t at);
 
 struct Token {
@@ -42,12 +43,13 @@ struct Token {
     Kind kind = Kind::end;
     std::size_t begin = 0, end = 0;
 };
-/// The token at `at` or after the blanks there. A string without its end lasts to the line's end.
+/// The token at `at` or after the blanks there. A string that is not closed extends to the end of
+/// its line.
 Token next_token(std::string_view text, std::size_t at);
 
-/// Nothing but blanks stand before `at` on its line.
+/// Whether only blanks stand before `at` on its line.
 bool is_first_on_line(std::string_view text, std::size_t at);
-/// Blanks before the first token of the line that holds `at`.
+/// The number of blanks before the first token of the line that contains `at`.
 std::size_t indentation(std::string_view text, std::size_t at);
 
 }  // namespace lancer::scan

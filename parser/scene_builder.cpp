@@ -10,7 +10,7 @@ Vec3d moved_point(const Transform& m, const Vec3d& p) {
     return convert<double>(map_point(m, convert<long double>(p)));
 }
 
-/// The light after a group's transforms; false when it left the range of numbers.
+/// Applies a group's transforms to a light. False when a coordinate overflows.
 struct LightMover {
     const Transform& m;
 
@@ -84,7 +84,7 @@ void SceneBuilder::close_group(const Attributes& attributes) {
     if (groups_.empty()) resolve();
 }
 
-/// The outermost group is complete: nodes become world transforms, children take what they inherit.
+/// The outermost group is complete: computes world transforms, and children inherit attributes.
 void SceneBuilder::resolve() {
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
         Node& node = nodes_[i];
@@ -126,15 +126,15 @@ void SceneBuilder::resolve() {
     make_late_parts();
 }
 
-/// The node's transform in the scene.
+/// The index of the node's transform in the scene.
 std::uint32_t SceneBuilder::transform_of(std::uint32_t index, const SourceSpan& place) {
     Node& node = nodes_[index];
     if (node.transform == none) node.transform = node.moves ? transform_index(node.map, place) : 0;
     return node.transform;
 }
 
-/// Puts the parts of objects in their places, takes out what went into a composite, and the default
-/// material where there is no other.
+/// Inserts the parts of objects at their places, removes objects that went into a composite, and
+/// sets the default material where none was given.
 void SceneBuilder::make_late_parts() {
     const auto begin = scene.objects.begin() + static_cast<std::ptrdiff_t>(first_object_);
     if (!late_parts_.empty() || !absorbed_.empty()) {
@@ -162,7 +162,7 @@ void SceneBuilder::make_late_parts() {
 }
 
 void SceneBuilder::add(MakeParts make, const Attributes& attributes, const SourceSpan& place) {
-    // A file's materials part a mesh into sheets: a body is the whole of it.
+    // The materials of a file split a mesh into sheets. A body needs the whole mesh.
     const bool whole = is_in_body();
     if (attributes.material == none && !groups_.empty() && !whole) {
         late_parts_.emplace(scene.objects.size(), std::move(make));

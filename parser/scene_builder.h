@@ -1,4 +1,5 @@
-// Puts the Scene together: groups, inherited materials, transforms composed and rounded once.
+// Builds the Scene: groups, inherited materials, transforms that are composed first and rounded
+// once.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace lancer {
 
-/// What every shape and group takes.
+/// The attributes of every shape and group.
 struct Attributes {
     std::uint32_t material = none;
     std::string name;
@@ -27,13 +28,14 @@ struct Attributes {
     TransformList transforms;
 };
 
-/// A shape, and the material that comes with it; `none`: that of what it is a part of.
+/// A shape, and the material that comes with it; `none`: the material of the object that it is a
+/// part of.
 struct Part {
     Shape shape;
     std::uint32_t material = none;
 };
-/// What is put into the scene for a shape that may bring materials along. `has_material`: it or a
-/// group around it was given one.
+/// Makes the parts of a shape that may bring materials along. `has_material`: the shape or a group
+/// around it was given one.
 using MakeParts = std::function<std::vector<Part>(bool has_material)>;
 
 class SceneBuilder {
@@ -41,31 +43,33 @@ class SceneBuilder {
     SceneBuilder(Meter& meter, Report& report) : meter_(meter), report_(report) {}
 
     Scene scene;
-    /// Where the scene holds what files brought.
+    /// The indices of loaded images and meshes in the scene.
     std::map<std::pair<std::string, bool>, std::uint32_t> image_indices;  ///< path, sRGB
     std::unordered_map<const Mesh*, std::uint32_t> mesh_indices;
-    /// What a mesh becomes with its file's materials; second: smooth.
+    /// The parts of a mesh with the materials of its file, by mesh, smoothness and inside.
     std::map<std::tuple<const Mesh*, bool, Inside>, std::vector<Part>> mesh_parts;
-    std::unordered_set<const Mesh*> pieces;  ///< those that are one material's share of another
+    /// meshes that hold the faces of one material of another mesh
+    std::unordered_set<const Mesh*> pieces;
 
-    /// Objects and lights from here to close_group() are in a new group, or are made one body. What
-    /// the group itself says is known only at its end.
+    /// Objects and lights from here to close_group() belong to a new group, or form one body. The
+    /// group's own attributes are known only at its end.
     void open_group(const SourceSpan& place, std::optional<Composite::Kind> joint);
     void close_group(const Attributes& attributes);
 
     void add(const Shape& shape, const Attributes& attributes, const SourceSpan& place);
-    /// The same for a shape whose materials count only when no other is given: `make` is called
+    /// The same for a shape with materials that count only when no other is given. `make` is called
     /// once, at the end of the outermost group at the latest. All parts get the attributes.
     void add(MakeParts make, const Attributes& attributes, const SourceSpan& place);
     void add(const Light& light);
     std::uint32_t add(const Material& material, std::string_view name, const SourceSpan& place);
     std::uint32_t add(const Texture& texture, const SourceSpan& place);
     void add(const Camera& camera);
-    /// The index of the texture that is the colours of vertices; one serves all materials.
+    /// The index of the texture that stands for vertex colours; all materials share it.
     std::uint32_t vertex_colors(const SourceSpan& place);
 
   private:
-    /// A transform and defaults that act on what refers to it, within the transforms of its parent.
+    /// A transform and defaults for all nodes and objects that refer to this one. The transforms of
+    /// its parent apply as well.
     struct Node {
         Transform map;
         std::uint32_t parent = none;
@@ -74,14 +78,15 @@ class SceneBuilder {
         bool shadow = true;
         bool moves = false;
         std::uint32_t transform = none;  ///< in the scene, once it is known
-        // Of groups, and what makes bodies one:
+        // For groups and composites:
         SourceSpan place{};
         std::optional<Composite::Kind> joint{};
-        bool in_body = false;          ///< makes one body, or stands in what does
-        bool holds_body = false;       ///< something to make one of
-        bool of_object = false;        ///< it is no group, but the transforms of one object
-        std::uint32_t whole = none;    ///< the outermost node that makes this a part of one body
-        std::uint32_t space = none;    ///< where an inherited texture lies; none: with the object
+        bool in_body = false;        ///< makes one body, or stands within a node that does
+        bool holds_body = false;     ///< contains a body
+        bool of_object = false;      ///< not a group: holds the transform of one object
+        std::uint32_t whole = none;  ///< the outermost node that makes this a part of one body
+        /// where an inherited texture is placed; none: with the object
+        std::uint32_t space = none;
         std::uint32_t in_tree = none;  ///< node of the composite, once it is made
     };
 
@@ -108,9 +113,9 @@ class SceneBuilder {
     std::vector<std::uint32_t> light_nodes_;
     std::size_t first_object_ = 0;  ///< of the outermost open group
     std::size_t first_light_ = 0;
-    /// By the object of the outermost open group that stands for them.
+    /// By the index of the object that stands for the parts, within the outermost open group.
     std::unordered_map<std::size_t, MakeParts> late_parts_;
-    std::vector<bool> absorbed_;  ///< objects of it that went into a composite
+    std::vector<bool> absorbed_;  ///< objects of that group that went into a composite
     Bodies bodies_{scene};
 };
 

@@ -1,9 +1,9 @@
-// Which name means what, where: one lexical scope for let, param, def, material and texture.
+// The meaning of names: one lexical scope for let, param, def, material and texture.
 //
-// Templates and functions see the names of the place where they were written. Since they are no
-// values, whoever can call one stands inside the scope that holds it, so all scopes that a body can
-// see are still open, and one stack of bindings serves them all. Each name knows its newest
-// binding; a binding counts when its scope is the one that the running code sees at that depth
+// Templates and functions see the names of the place where they were written. They are not values,
+// so a caller is always inside the scope that holds the definition. Hence all scopes that a body
+// can see are still open, and one stack of bindings serves them all. Each name knows its newest
+// binding. A binding counts when its scope is the one that the running code sees at that depth
 // ("display", Dijkstra), and when it was made before the template or function that is running.
 #pragma once
 
@@ -37,9 +37,10 @@ class Scopes {
 
     /// Adds to the innermost scope. The name must be new there: see find_here().
     void bind(Binding binding);
-    /// A new value for the newest binding of all, which is the innermost scope's.
+    /// Gives the newest binding of all, which is in the innermost scope, a new value.
     void rebind(Value value) { bindings_.back().value = std::move(value); }
-    /// What a name means here; nullptr: nothing. Holds until the next bind() or close().
+    /// The meaning of a name here; nullptr when there is none. Valid until the next bind() or
+    /// close().
     const Binding* find(Symbol name) const;
     /// The template or function that a call of this name means here.
     const Binding* find_callable(Symbol name) const;
@@ -53,13 +54,14 @@ class Scopes {
             if (is_visible(i)) visit(bindings_[i]);
     }
 
-    /// What leave() needs to go back to the caller.
+    /// The state that leave() restores for the caller.
     struct Caller {
         std::uint32_t depth = 0;
         std::uint32_t template_depth = 0;
         std::uint32_t limit = 0;
     };
-    /// Sees what the body of the template or function sees. Open a scope for its parameters next.
+    /// Makes the names visible that the body of the template or function sees. The caller must then
+    /// open a scope for its parameters.
     Caller enter(const Binding& definition);
     void leave(const Caller& caller);
 

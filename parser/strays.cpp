@@ -1,5 +1,5 @@
-// What has no place in a script, told by what its author may have meant: strays between statements,
-// and hints for syntax errors that are habits of other languages.
+// Text that does not belong in a script, with hints about what its author may have meant: stray
+// characters between statements, and syntax errors that are habits from other languages.
 #include <algorithm>
 
 #include "parser/builder.h"
@@ -10,7 +10,7 @@ namespace lancer::grammar {
 using Kind = ast::Statement::Kind;
 using Token = scan::Token;
 
-/// The last token on the line before `at`; kind `end` where there is none.
+/// The last token on the line before `at`; its kind is `end` when there is none.
 Token Builder::token_before(std::size_t at) const {
     std::size_t begin = at;
     while (begin > 0 && !scan::is_line_end(text_[begin - 1])) --begin;
@@ -29,7 +29,7 @@ std::string_view Builder::until(char close, std::size_t at) const {
     return end == std::string_view::npos ? std::string_view{} : line.substr(0, end);
 }
 
-/// Where a name that can be seen from here got its value; `nowhere` when it has none yet.
+/// The place where a name that is visible here got its value; `nowhere` when it has none yet.
 SourceSpan Builder::place_of_value(Symbol name) const {
     const auto declares = [name](const ast::Statement& s) {
         return s.name == name &&
@@ -46,7 +46,7 @@ SourceSpan Builder::place_of_value(Symbol name) const {
     return {};
 }
 
-/// `name = value` where a property should stand.
+/// Reports `name = value` where a property should stand.
 void Builder::report_assignment(const char* at) {
     ast::Statement& property = open_.building.back();
     const SourceSpan first = place_of_value(property.word);
@@ -121,7 +121,7 @@ bool Builder::is_foreign_value(const char* at) {
     Token next = scan::next_token(text_, offset_of(at) + word.size());
     if (next.kind == Token::Kind::open_brace) return knows_block(word) && !is_block_in_place(at);
     if (!habits::announces_color(word)) return false;
-    // `rgb[0]` and `rgb < 1` are values; with a comma inside it is a colour.
+    // `rgb[0]` and `rgb < 1` are values; with a comma inside, it is a colour.
     const bool angle = text_of(next) == "<";
     if (!angle && text_of(next) != "[") return false;
     int depth = 0;
@@ -140,7 +140,7 @@ void Builder::refuse_foreign_statement(const char* at) {
     const std::string_view word = word_at(at);
     if (word.empty() || !habits::begins_foreign_statement(word) || knows_property(word)) return;
     Token next = scan::next_token(text_, offset_of(at) + word.size());
-    if (text_of(next) == "(") {  // a template may be called so: then no body follows
+    if (text_of(next) == "(") {  // a template may be called this way: then no body follows
         for (int depth = 1; depth > 0 && next.kind != Token::Kind::end;) {
             next = scan::next_token(text_, next.end);
             depth += next.kind == Token::Kind::open ? 1 : next.kind == Token::Kind::close ? -1 : 0;
@@ -150,7 +150,7 @@ void Builder::refuse_foreign_statement(const char* at) {
     throw SyntaxError{Message::unknown_word, at};
 }
 
-/// For the place where a value should stand.
+/// The hint for a place where a value should stand.
 std::string Builder::value_hint(std::size_t at) const {
     const Token token = scan::next_token(text_, at);
     const std::string_view found = text_of(token);
@@ -180,7 +180,7 @@ std::string Builder::hint_for(const SyntaxError& error) const {
     const bool unit = habits::is_unit(found) && before.kind == Token::Kind::number;
     switch (error.message) {
         case Message::expected_member:
-            // The dot belongs to what stands before it.
+            // The dot belongs to the digit before it.
             return at >= 2 && scan::is_digit(text_[at - 2])
                        ? "remove the dot, or write a digit after it"
                        : "";

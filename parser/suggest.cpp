@@ -9,7 +9,7 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// A third of the letters may be wrong; of a single one, none but its case.
+/// A third of the letters may be wrong. A single letter may differ only in case.
 std::size_t most_mistakes(std::size_t length) {
     return (length + 1) / 3;
 }
@@ -44,7 +44,7 @@ Suggestion::Suggestion(std::string_view word)
 void Suggestion::consider(std::string_view candidate) {
     if (word_.size() > longest_word || candidate == word_ || least_ == 0) return;
     const std::size_t distance = edit_distance(word_, candidate, least_ - 1);
-    // Nothing of the candidate may be left that the user did not mean: "x" is not near "pi".
+    // At least one letter of the candidate must be meant: "x" is not near "pi".
     if (distance < least_ && distance < candidate.size()) {
         least_ = distance;
         best_ = candidate;

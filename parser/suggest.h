@@ -1,4 +1,4 @@
-// "Did you mean …?"
+// Suggestions for misspelt words: "did you mean …?"
 #pragma once
 
 #include <string>
@@ -23,9 +23,10 @@ class Suggestion {
     std::size_t least_;
 };
 
-/// Least number of insertions, deletions, substitutions and swaps of neighbours that make one word
-/// of the other, letters compared without case; `limit` + 1 when more. Source: Damerau 1964, in
-/// the restricted form (optimal string alignment).
+/// The least number of insertions, deletions, substitutions and swaps of neighbours that turn one
+/// word into the other; case is ignored; `limit` + 1 when there are more. Source: Damerau, "A
+/// technique for computer detection and correction of spelling errors", CACM 7, 1964, in its
+/// restricted form (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
 }  // namespace lancer

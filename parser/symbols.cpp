@@ -3,8 +3,8 @@
 namespace lancer {
 namespace {
 
-/// FNV-1a with a final mix, enough for names; 64 bits, so equal hashes hardly ever need a
-/// comparison.
+/// FNV-1a with a final mix. With 64 bits, two different names hardly ever have equal hashes, so few
+/// comparisons of texts fail.
 std::uint64_t hash_of(std::string_view text) {
     std::uint64_t h = 0xcbf29ce484222325;
     for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;

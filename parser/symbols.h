@@ -1,4 +1,4 @@
-// Names and string literals as small numbers, so that they compare and look up at once.
+// Names and string literals as small numbers, for fast comparison and lookup.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace lancer {
 using Symbol = std::uint32_t;
 inline constexpr Symbol no_symbol = 0xFFFFFFFF;
 
-/// Every text is stored once. A symbol stays valid, and its text in place, for the table's
-/// lifetime.
+/// Stores every text once. A symbol and the address of its text are valid for the lifetime of the
+/// table.
 class Symbols {
   public:
     Symbols();

@@ -13,7 +13,7 @@ namespace {
 using Input = tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy, tao::pegtl::eol::lf_crlf,
                                        const char*>;
 
-/// Reports the first byte of each line that is not UTF-8.
+/// Reports the first byte of each line that is not valid UTF-8.
 void check_bytes(std::string_view text, std::uint32_t source, Report& report) {
     for (std::size_t at = 0; (at = find_invalid_utf8(text, at)) != std::string_view::npos;) {
         const SourceSpan where{source, static_cast<std::uint32_t>(at), 1};

@@ -15,13 +15,13 @@ namespace lancer {
 /// Adds a script to the map, without its byte order mark.
 std::uint32_t add_source(SourceMap& sources, std::string name, std::string text);
 
-/// Reads the file `source` of `sources`. Errors go to `report`; the statements that could be read
-/// are in the result all the same. Throws StopReading when there are too many errors.
+/// Parses the file `source` of `sources`. Errors go to `report`; the result holds the statements
+/// that could be read. Throws StopReading when there are too many errors.
 ast::File read_syntax(std::uint32_t source, const SourceMap& sources, Symbols& symbols,
                       const Vocabulary& vocabulary, std::uint64_t nesting_limit, Report& report);
 
-/// Reads a text that holds one expression; the result's `statements` are empty. An empty expression
-/// comes back after an error.
+/// Parses a text that holds one expression; the result's `statements` are empty. Returns an empty
+/// expression after an error.
 ast::Expression read_expression(ast::File& file, const SourceMap& sources, Symbols& symbols,
                                 const Vocabulary& vocabulary, std::uint64_t nesting_limit,
                                 Report& report);

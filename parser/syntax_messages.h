@@ -1,4 +1,4 @@
-// What to say where the grammar insists: one line per rule that stands behind must<>.
+// The message for each rule that is used in must<>.
 #pragma once
 
 #include "parser/grammar.h"
@@ -6,7 +6,7 @@
 
 namespace lancer::grammar {
 
-/// No default: a must<> whose rule has no message does not compile.
+/// There is no default: a must<> whose rule has no message does not compile.
 template <class Rule>
 struct message_of;
 
@@ -56,7 +56,7 @@ LANCER_SYNTAX_MESSAGE(lone_end_needed,          after_definition)
 
 #undef LANCER_SYNTAX_MESSAGE
 
-/// PEGTL's control class: a must<> that fails throws our own error, which knows its place without
+/// PEGTL's control class: a must<> that fails throws our own error, which has its place without
 /// counting lines.
 template <class Rule>
 struct control : p::normal<Rule> {

@@ -10,7 +10,8 @@ namespace {
 
 using Extended = Vec3<long double>;
 
-/// Axis of unit length, turning from the first to the second of the other two axes.
+/// The rotation about an axis of unit length. About the z axis it turns x towards y, and so on
+/// cyclically.
 Transform turn(const Extended& axis, double degrees) {
     const auto [sine, cosine] = elementary::sine_cosine_of_degrees(degrees);
     const long double s = sine;
@@ -27,7 +28,7 @@ Transform turn(const Extended& axis, double degrees) {
     return m;
 }
 
-/// About a coordinate axis: what is zero stays zero, what is one stays one.
+/// The rotation about a coordinate axis: elements that are 0 or 1 stay exact.
 Transform turn_about(int axis, double degrees) {
     const auto [s, c] = elementary::sine_cosine_of_degrees(degrees);
     const long double sine = s;

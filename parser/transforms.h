@@ -10,7 +10,7 @@ namespace lancer {
 
 using Transform = Affine<long double>;
 
-/// Transforms in the order written, as one map.
+/// Transforms in the order written, composed to one map.
 struct TransformList {
     Transform map;
     bool given = false;
@@ -18,15 +18,15 @@ struct TransformList {
     void append(const Transform& next);
 };
 
-/// True when the linear part cannot be told from a singular one: its determinant is within the
-/// rounding of its entries, taken as doubles. No absolute constant: the bound is a multiple of the
-/// permanent of the absolute values, so scaling a row or column changes nothing.
+/// True when rounding the entries to double could make the linear part singular: its determinant is
+/// smaller than the error bound. The bound is a multiple of the permanent of the absolute values
+/// and no absolute constant, so scaling a row or column changes nothing.
 bool is_singular(const Transform& m);
 
-/// Rounded to double; false when it is then singular or not finite.
+/// Rounds to double. False when the result is singular or not finite.
 bool round_transform(const Transform& exact, Affine<double>& rounded);
 
-/// The transform properties, for tables: `Member` is a TransformList.
+/// The rules of transform properties, for tables: `Member` is a TransformList.
 namespace transform_rules {
 
 struct Translate {

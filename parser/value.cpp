@@ -13,7 +13,7 @@ namespace {
 
 thread_local std::uint64_t held = 0;
 
-constexpr std::uint64_t of_allocation = 16;  // what the heap needs beside it
+constexpr std::uint64_t of_allocation = 16;  // the heap's own cost for each allocation
 
 }  // namespace
 

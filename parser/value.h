@@ -13,7 +13,7 @@ namespace lancer {
 struct List;
 struct Text;
 
-/// A value: 32 bytes; lists and strings are shared and never change. Not for several threads.
+/// A value of 32 bytes. Lists and strings are shared and never change. Not thread-safe.
 class Value {
   public:
     enum class Kind : std::uint8_t {
@@ -42,9 +42,9 @@ class Value {
     explicit Value(std::string text);
     /// Makes a vector of two or three numbers.
     explicit Value(std::vector<Value> elements);
-    /// The same, without storing them apart: the elements are moved from.
+    /// The same without a second copy: the elements are moved.
     static Value list_of(std::span<Value> elements);
-    /// start + i·step for 0 <= i < count, without storing them.
+    /// start + i·step for 0 <= i < count; the elements are not stored.
     static Value of_range(double start, double step, std::uint64_t count);
     static Value material(std::uint32_t index) { return {Kind::material, index}; }
     static Value texture(std::uint32_t index) { return {Kind::texture, index}; }
@@ -76,19 +76,19 @@ class Value {
     double number() const { return data_.numbers[0]; }
     bool boolean() const { return data_.index != 0; }
     std::uint32_t index() const { return data_.index; }
-    /// Of a vector.
+    /// `component` and `dimension` are for vectors.
     double component(unsigned i) const { return data_.numbers[i]; }
     unsigned dimension() const { return size_; }
     std::string_view text() const;
-    /// Of a string: how many characters it has, counted once.
+    /// The number of characters of a string; counted once.
     std::uint64_t characters() const;
 
-    /// Of lists and vectors.
+    /// `size` and `at` are for lists and vectors.
     std::uint64_t size() const;
     Value at(std::uint64_t i) const;
-    /// Bytes of all lists and strings that this thread holds.
+    /// The size in bytes of all lists and strings that this thread holds.
     static std::uint64_t held_bytes();
-    /// Lists within lists; 0 for what is no list.
+    /// How deep lists are nested; 0 for values that are not lists.
     std::uint32_t depth() const;
 
   private:
@@ -108,14 +108,14 @@ class Value {
     } data_{};
 };
 
-/// A value as text: numbers as the shortest text that reads back the same, strings in lists in
-/// quotes. At most about `longest` bytes.
+/// A value as text. Numbers have the shortest text that reads back as the same number; strings
+/// within lists are in quotes. The text is about `longest` bytes at most.
 std::string to_text(const Value& value, std::size_t longest);
-/// A number as the shortest text that reads back the same.
+/// A number as the shortest text that reads back as the same number.
 std::string to_text(double number);
-/// A value for a message: short, with what it is where its text does not say so.
+/// A value as a short text for messages; it names the kind where the text does not show it.
 std::string describe(const Value& value);
-/// What kind of value it is: "a number", "a vector of 3 numbers".
+/// The kind of a value: "a number", "a vector of 3 numbers".
 std::string kind_name(const Value& value);
 
 }  // namespace lancer

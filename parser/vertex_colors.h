@@ -1,4 +1,4 @@
-// Materials that take the colours of vertices, and shapes that have none.
+// Checks materials that take vertex colours against shapes that have none.
 #pragma once
 
 #include "model/scene.h"
@@ -6,8 +6,8 @@
 
 namespace lancer {
 
-/// Reports every shape whose material says `color vertex` and that is no mesh with colours: what a
-/// shape wears is known only when its groups are closed.
+/// Reports every shape whose material says `color vertex` and that is not a mesh with vertex
+/// colours. The material of a shape is known only when its groups are closed.
 void check_vertex_colors(const Scene& scene, Report& report);
 
 }  // namespace lancer

@@ -58,7 +58,7 @@ const PropertySet& Vocabulary::properties(Symbol keyword, Symbol name) const {
 }
 
 const LanguageWords& language_words() {
-    static const LanguageWords words;  // a third of what a small script takes
+    static const LanguageWords words;  // making it takes a third of the time for a small script
     return words;
 }
 

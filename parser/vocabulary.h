@@ -1,4 +1,4 @@
-// The words of the language as symbols: which blocks there are and which properties each knows.
+// The words of the language as symbols: all blocks, and the properties of each.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace lancer {
 
-/// The properties of one block by symbol.
+/// The properties of one block, by symbol.
 class PropertySet {
   public:
     static constexpr std::uint8_t unknown = 0xFF;
 
     bool knows(Symbol word) const { return index(word) != unknown; }
-    /// Position in own fields, then shared ones; `unknown` when the block has no such property.
+    /// The index among the block's own fields, then the shared ones; `unknown` when there is none.
     std::uint8_t index(Symbol word) const { return word < index_.size() ? index_[word] : unknown; }
     const Field& field(std::uint8_t index) const { return *fields_[index]; }
     const std::vector<const Field*>& fields() const { return fields_; }
@@ -40,15 +40,15 @@ class Vocabulary {
     explicit Vocabulary(Symbols& symbols);
 
     bool is_block(Symbol word) const { return word < is_block_.size() && is_block_[word]; }
-    /// A group, or what makes one body of several: a block of statements.
+    /// Whether the word is a group, union, intersection or difference: a block of statements.
     bool holds_statements(Symbol word) const {
         return word < holds_statements_.size() && holds_statements_[word];
     }
-    /// The block with this keyword and, for a light, this kind. nullptr: there is none.
+    /// The block with this keyword and, for a light, this kind; nullptr when there is none.
     const BlockWord* block(Symbol keyword, Symbol name) const;
-    /// What the grammar takes as a property inside a block; for unknown blocks: any property.
+    /// The properties that the grammar accepts inside a block; for an unknown block, any property.
     const PropertySet& properties(Symbol keyword, Symbol name) const;
-    /// In files, groups and templates: the properties of a group, `background` and `ambient`.
+    /// For files, groups and templates: the properties of a group, `background` and `ambient`.
     const PropertySet& in_statements() const { return in_statements_; }
     const BlockWord& file() const { return *file_; }
     /// Whether some block has a property of this name that takes one of a few words.
@@ -71,7 +71,7 @@ class Vocabulary {
     PropertySet any_light_;
 };
 
-/// The language's own words, which have the same numbers in every program.
+/// The language's own words. Their symbols are the same in every program.
 struct LanguageWords {
     Symbols symbols;
     Vocabulary vocabulary{symbols};

@@ -44,7 +44,7 @@ void make_patch(BlockReader& block, std::uint32_t& result);
 void make_lathe(BlockReader& block, std::uint32_t& result);
 void make_prism(BlockReader& block, std::uint32_t& result);
 
-// blocks.cpp; their statements are run as those of the file (evaluation/statements.h)
+// blocks.cpp. Their statements run like those of a file (evaluation/statements.h).
 extern const BlockInfo unite, intersect, subtract, group;
 
 // material.cpp
@@ -55,7 +55,7 @@ void make_material(BlockReader& block, std::uint32_t& result);
 extern const BlockInfo texture;
 void make_texture(BlockReader& block, std::uint32_t& result);
 
-/// The block that each shape of the model is written as.
+/// The block in which a script writes each shape of the model.
 struct NoBlock {};
 template <class AnyShape>
 inline constexpr NoBlock block_of{};
@@ -82,6 +82,6 @@ inline constexpr const BlockInfo* block_of<LatheRef> = &lathe;
 template <>
 inline constexpr const BlockInfo* block_of<PrismRef> = &prism;
 template <>
-inline constexpr const BlockInfo* block_of<CompositeRef> = &unite;  // or the two beside it
+inline constexpr const BlockInfo* block_of<CompositeRef> = &unite;  // or `intersect` or `subtract`
 
 }  // namespace lancer::blocks

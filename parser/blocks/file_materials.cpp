@@ -12,7 +12,7 @@
 namespace lancer {
 namespace {
 
-/// Read once, however many frames show the mesh.
+/// Reads the materials once, even when many frames show the mesh.
 const io::ObjMaterials& materials_of(const BlockContext& context, const MeshWithMaterials& whole) {
     auto& known = context.program.mesh_materials;
     const auto at = known.find(whole.loaded.get());
@@ -24,8 +24,8 @@ const io::ObjMaterials& materials_of(const BlockContext& context, const MeshWith
         .first->second;
 }
 
-/// The image of a material, as a texture of the scene; `none` without one, and where it cannot be
-/// read, which is a warning.
+/// The image of a material as a texture of the scene. `none` when the material has no image, the
+/// mesh has no texture coordinates, or the image cannot be read; the last is a warning.
 std::uint32_t texture_of(const BlockContext& context, const io::MtlMaterial& material, bool has_uvs,
                          const SourceSpan& place) {
     if (material.image.empty() || !has_uvs) return none;
@@ -50,7 +50,7 @@ std::uint32_t add_material(const BlockContext& context, const io::MtlMaterial& f
     return context.builder.add(made, io::quotable(from.name), place);
 }
 
-/// The faces of each material as a mesh of its own, with the normals that they have in the whole.
+/// Splits the mesh by material. Each piece keeps the normals that its faces have in the whole mesh.
 const std::vector<std::shared_ptr<const Mesh>>& pieces_of(
     Program& program, const MeshWithMaterials& whole, const std::vector<std::uint32_t>& number_of,
     std::uint32_t count) {
@@ -71,7 +71,7 @@ std::vector<Part> make_parts(const BlockContext& context, const MeshWithMaterial
     const io::ObjMaterials& found = materials_of(context, whole);
     for (const std::string& text : found.warnings)
         context.report.warning(Message::mesh_file, whole.place, text);
-    // Materials without content look the same: faces that have one are one piece.
+    // Faces whose materials have no content look the same, so they form one piece.
     std::vector<std::uint32_t> number_of;
     std::vector<const io::MtlMaterial*> contents;
     std::uint32_t plain = none;
@@ -109,7 +109,8 @@ Material material_of(const io::MtlMaterial& from, bool textured) {
     const Color specular = from.specular.value_or(Color(0.0));
     const int model = from.illumination.value_or(2);
 
-    // The colour is Kd; where Kd is black, something of it must be left for Ke to be times of.
+    // The colour is Kd. Emission is a multiple of the colour, so where Kd is black and Ke is not,
+    // the colour must not become zero.
     constexpr double spark = 0x1p-40;
     for (int i = 0; i < 3; ++i) {
         m.color[i] = diffuse[i] > 0 ? diffuse[i] : emission[i] > 0 ? spark : 0;
@@ -121,13 +122,14 @@ Material material_of(const io::MtlMaterial& from, bool textured) {
         m.diffuse = strength > 0 ? strength : 1;
         m.emission = emission;
     }
-    // Ka is a share of a room's light, which here is a tenth of white unless the scene says more.
+    // Ka is a share of the room's light, which is a tenth of white here unless the scene says
+    // otherwise.
     constexpr double room = 0.1;
     const double brightest = max_component(textured ? Color(m.diffuse) : diffuse);
     if (from.ambient && brightest > 0)
         m.ambient = room * std::min(max_component(*from.ambient) / brightest, 1.0);
     if (textured) m.ambient *= m.diffuse;
-    if (model == 0) {  // the colour as it is
+    if (model == 0) {  // the colour without lighting
         m.emission = m.emission + white * m.diffuse;
         m.diffuse = m.ambient = 0;
     }
@@ -139,14 +141,14 @@ Material material_of(const io::MtlMaterial& from, bool textured) {
     if (model >= 3 && model <= 9) m.reflection = specular;
     m.fresnel = model == 5 || model == 7;
     m.transmission = 1 - from.opacity.value_or(1);
-    // Nothing bends where nothing passes; an index is written all the same.
+    // Nothing is refracted where nothing is transmitted; files write an index all the same.
     if (m.transmission > 0 || m.fresnel) m.ior = from.ior.value_or(1);
     return m;
 }
 
 std::uint32_t mesh_index(SceneBuilder& builder, const std::shared_ptr<const Mesh>& mesh) {
     auto& meshes = builder.scene.meshes;
-    // Instances of one file follow each other or not: the pointer tells them.
+    // Instances of one file need not follow each other: the pointer identifies the mesh.
     const auto [at, is_new] =
         builder.mesh_indices.emplace(mesh.get(), static_cast<std::uint32_t>(meshes.size()));
     if (is_new) meshes.push_back(mesh);
@@ -154,7 +156,7 @@ std::uint32_t mesh_index(SceneBuilder& builder, const std::shared_ptr<const Mesh
 }
 
 MakeParts parts_of(const BlockContext& context, const MeshWithMaterials& whole) {
-    // Warnings name the calls that led here, not those at the end of the group.
+    // Warnings name the calls that led to the mesh, not those that run at the end of the group.
     return [&context, whole, calls = context.report.calls](bool has_material) {
         SceneBuilder& builder = context.builder;
         if (has_material)

@@ -22,16 +22,17 @@ struct MeshWithMaterials {
     SourceSpan place{};  ///< of the file's name
 };
 
-/// What the mesh becomes. Where the scene has a material for it, that is the mesh, and the file's
-/// materials are not looked at. Elsewhere the libraries and images are read, which may warn at
-/// `place`, and each material is given the faces that have it. Uses the context when it is
-/// called.
+/// The objects that the mesh becomes. If the scene gives it a material, that is one mesh, and the
+/// file's materials are ignored. Otherwise the material libraries and images are read, which may
+/// warn at `place`, and the faces of each material become a mesh. The result uses `context` when it
+/// is called.
 MakeParts parts_of(const BlockContext& context, const MeshWithMaterials& whole);
 
-/// A material of MTL in the terms of this language; `textured`: an image stands for its colour.
+/// Converts a material of MTL to the terms of this language. `textured`: an image replaces its
+/// colour.
 Material material_of(const io::MtlMaterial& from, bool textured);
 
-/// Where the scene holds this mesh; it is added when it is not there.
+/// The index of this mesh in the scene. Adds the mesh when it is not there.
 std::uint32_t mesh_index(SceneBuilder& builder, const std::shared_ptr<const Mesh>& mesh);
 
 }  // namespace lancer

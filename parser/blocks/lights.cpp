@@ -7,7 +7,7 @@
 namespace lancer::blocks {
 namespace {
 
-/// The fields of all three kinds; each table names those that its kind has.
+/// The fields of all three kinds of light. Each table names those that its kind has.
 struct LightSpec {
     Vec3d position{0, 0, 0};
     Vec3d look_at{0, 0, 0};
@@ -58,7 +58,7 @@ std::optional<Fade> fade_of(const LightSpec& spec) {
 }
 
 void add(BlockReader& block, const LightSpec& spec, const LightKind& kind) {
-    // What fades may well be bright where it stands.
+    // A light that fades may well be bright near its position.
     if (!spec.fade_distance) warn_bright_light(block.report(), block.place("color"), spec.color);
     block.builder().add(Light{kind, spec.color, spec.shadows, block.place()});
 }

@@ -69,8 +69,7 @@ const BlockInfo material{"material", "", material_fields, {}, "the appearance of
 void make_material(BlockReader& block, std::uint32_t& result) {
     MaterialSpec spec;
     block.read(&spec);
-    // The sum of two decimal fractions may be off by a rounding: 0.7 + 0.3 is 1, whatever doubles
-    // say.
+    // The sum of two decimal fractions may be wrong by one rounding: 0.7 + 0.3 counts as 1.
     constexpr double rounding = 2.220446049250313e-16;
     if (spec.filter + spec.transmission > 1 + rounding)
         block.error(Message::passes_too_much,

@@ -8,7 +8,7 @@
 namespace lancer {
 namespace {
 
-/// What `smooth` says.
+/// The value of `smooth`.
 struct Smoothing {
     bool on = true;
     std::optional<double> angle;
@@ -132,14 +132,14 @@ void add_inline(BlockReader& block, MeshSpec& spec, const Attributes& attributes
     add_mesh(block, mesh, spec, attributes);
 }
 
-/// STL never has normals of vertices.
+/// STL files never have vertex normals.
 bool lacks_normals(std::string path) {
     for (char& c : path) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return path.ends_with(".stl");
 }
 
 /// The mesh of a file, with normals by the angle that the scene or the format asks for. It is made
-/// once and kept beside the file's own, under its path and the angle.
+/// once and stored beside the file's own mesh, under its path and the angle.
 std::shared_ptr<const Mesh> smoothed(BlockReader& block,
                                      const std::shared_ptr<const io::LoadedMesh>& loaded,
                                      const std::string& path, std::optional<double> angle) {

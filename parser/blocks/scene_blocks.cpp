@@ -104,14 +104,16 @@ constexpr Field camera_fields[] = {
 
 using Extended = Vec3<long double>;
 
-/// Parallel, or so nearly that the cross product is all rounding error. Relative to the lengths.
+/// True when the vectors are parallel within rounding: the cross product is compared with the
+/// rounding error relative to the lengths.
 bool are_parallel(const Vec3d& a, const Extended& b) {
     const Extended x = convert<long double>(a);
     constexpr long double rounding = 4 * std::numeric_limits<double>::epsilon();
     return length(cross(x, b)) <= rounding * length(x) * length(b);
 }
 
-/// A camera of so narrow a view that does not stand far away was probably given radians.
+/// Warns about a camera with a very narrow view that is not far away: its angle was probably given
+/// in radians.
 void warn_of_radians(BlockReader& block, double fov, double distance) {
     constexpr double least = 0.2;
     constexpr double most = 2.1;
@@ -146,7 +148,7 @@ void make_render(BlockReader& block, std::uint32_t&) {
     Settings& settings = block.builder().scene.settings;
     QualityChoice choice;
     if (!block.read(&settings, &choice) || !block.has("quality")) return;
-    // Those that are written win.
+    // Values that the script gives override the preset.
     const Settings written = settings;
     apply(values_of(choice.quality), settings);
     if (block.has("max_depth")) settings.max_depth = written.max_depth;

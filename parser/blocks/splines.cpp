@@ -88,8 +88,9 @@ std::string_view outline_counts(Spline spline) {
     return spline == Spline::bezier ? "3, 6, 9, ... (3n)" : "3 or more";
 }
 
-/// Whether the last point is the first one written again. In a bezier outline only the one after
-/// 3n can be: the last of 3n is the handle of the closing side, and may lie on the first point.
+/// Whether the last point repeats the first one. A Bézier outline has 3n points, and the last of
+/// these is a control point of the closing side, which may lie on the first point. So only one more
+/// point, number 3n + 1, can be a repetition.
 bool repeats_first_point(Spline spline, const std::vector<Vec2d>& outline) {
     return outline.size() > 1 && outline.front() == outline.back() && !is_single_point(outline) &&
            (spline != Spline::bezier || outline.size() % 3 == 1);

@@ -1,4 +1,4 @@
-// The stops of a gradient, be it a texture's or the sky's.
+// The stops of a gradient: of a texture or of the sky.
 #pragma once
 
 #include "model/material.h"
@@ -29,7 +29,7 @@ struct Stops {
 
 namespace blocks {
 
-/// Reports stops that go back.
+/// Reports stops whose positions decrease.
 inline void check_order(BlockReader& block, const std::vector<Gradient::Stop>& stops) {
     for (std::size_t i = 1; i < stops.size() && block.good(); ++i)
         if (stops[i].at < stops[i - 1].at)

@@ -91,7 +91,7 @@ constexpr Field texture_fields[] = {
                                                                       "three rows of four numbers"),
 };
 
-/// An option of one pattern given to another.
+/// Reports options that belong to another pattern than the one given.
 void refuse(BlockReader& block, std::initializer_list<std::string_view> options,
             std::string_view pattern) {
     if (block.has(pattern)) return;
@@ -100,7 +100,8 @@ void refuse(BlockReader& block, std::initializer_list<std::string_view> options,
             block.error(Message::texture_option, block.place(option), option, pattern);
 }
 
-/// The index in the scene of an image, loaded once however often it is named.
+/// Sets `index` to the index of the image in the scene. An image is loaded once however often it is
+/// named.
 bool find_image(BlockReader& block, const TextureSpec& spec, std::uint32_t& index) {
     const std::string path = block.resolve_path(spec.image);
     const bool srgb = spec.color_space == io::ColorSpace::automatic;

@@ -1,4 +1,4 @@
-// What the reading of blocks works with.
+// The context in which blocks are read.
 #pragma once
 
 #include "parser/evaluation/context.h"
@@ -11,7 +11,8 @@ class Names;
 class SceneBuilder;
 class Singles;
 
-/// Beside the context of the whole evaluation: who gives values and files, and what is built.
+/// Adds to the context of the evaluation: where values and files come from, and the scene that is
+/// being built.
 struct BlockContext : Context {
     Expressions& expressions;
     const Names& names;

@@ -14,8 +14,8 @@ namespace {
 
 using Kind = ast::Statement::Kind;
 
-/// Whether it takes values beside its words: one word alone would be no choice. A name of the
-/// script's then wins over the word.
+/// Whether the property takes values beside its words: a single word would leave no choice. A name
+/// of the script then hides the word.
 bool takes_values(const Field& field) {
     return field.words.size() == 1;
 }
@@ -30,7 +30,7 @@ std::string enumeration(const std::vector<std::string_view>& words) {
     return all;
 }
 
-/// What to write instead of a value that a property does not take.
+/// Suggests what to write instead of a value that the property does not take.
 std::string hint_for_value(const Field& field, const Value& value) {
     if (value.is(Value::Kind::text) && !field.words.empty() && !takes_values(field)) {
         Suggestion suggestion(value.text());
@@ -44,7 +44,7 @@ std::string hint_for_value(const Field& field, const Value& value) {
         return "write a grey as [" + part + ", " + part + ", " + part + "]";
     }
     if (field.name == "rotate" && value.is_vector(3)) {
-        // In this order, as other programs turn.
+        // Other programs rotate in this order.
         std::string turns;
         for (unsigned i = 0; i < 3; ++i)
             if (value.component(i) != 0)

@@ -17,15 +17,16 @@ class BlockReader {
     BlockReader(const BlockContext& context, const ast::File& file, const ast::Statement& block,
                 const BlockWord& word);
 
-    /// Reads every property into the struct its table is for: `own` for the block's own fields,
-    /// `shared` for those it shares. Returns false after an error, each reported; then the block is
-    /// not to be used.
+    /// Reads every property into the struct that its table belongs to: `own` for the block's own
+    /// fields, `shared` for those that it shares with other blocks. Returns false after an error,
+    /// which was reported; then the block must not be used.
     bool read(void* own, void* shared = nullptr);
 
-    /// Checks all that shows without evaluating: unknown, missing and repeated properties.
+    /// Checks what can be checked without evaluating: unknown, missing and repeated properties.
     void check();
 
-    /// Whether a property was given, and where its value stands (the block's word, if not given).
+    /// `has`: whether the property was given. `place`: the place of its value, or of the block's
+    /// word when it was not given.
     bool has(std::string_view property) const { return find(property) != nullptr; }
     SourceSpan place(std::string_view property) const;
     SourceSpan place() const { return file_.span(block_); }
@@ -47,10 +48,10 @@ class BlockReader {
     SceneBuilder& builder() { return context_.builder; }
     Meter& meter() { return context_.meter; }
     const BlockWord& word() const { return word_; }
-    /// The second word: a camera's, material's or texture's name.
+    /// The second word: the name of a camera, material or texture.
     std::string_view name() const;
     SourceSpan name_place() const { return file_.name_span(block_); }
-    /// A file name in the script as a path.
+    /// The path that a file name in the script stands for.
     std::string resolve_path(std::string_view path) const {
         return context_.files.resolve_path(file_, path);
     }
@@ -73,17 +74,17 @@ class BlockReader {
     bool evaluates_ = true;
 };
 
-/// Value of a property by its table, with all errors reported. False: do not use it.
+/// Reads a property's value by its table and reports all errors. False: the value must not be used.
 bool read_property(const BlockContext& context, const ast::File& file,
                    const ast::Statement& property, const Field& field, void* owner);
 
-/// The material of a shape or group that holds it itself; `none` after an error.
+/// The material that a shape or group holds in its own braces; `none` after an error.
 std::uint32_t make_inline_material(const BlockContext& context, const ast::File& file,
                                    const ast::Statement& statement);
 
-/// What a block becomes. `result`, for materials and textures, is the index of what was made.
+/// Makes the object that a block describes. `result`, for materials and textures, is its index.
 using MakeBlock = void (*)(BlockReader& block, std::uint32_t& result);
-/// By keyword and, for lights, kind.
+/// The function for a block, by its keyword and, for lights, its kind.
 MakeBlock maker_of(const BlockInfo& block);
 
 }  // namespace lancer

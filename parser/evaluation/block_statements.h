@@ -1,4 +1,4 @@
-// The statements that are blocks or properties: what stands in files, groups and templates.
+// Statements that are blocks or properties, in files, groups and templates.
 #pragma once
 
 #include "parser/evaluation/block_context.h"
@@ -13,8 +13,8 @@ class BlockStatements {
         : context_(context), names_(names), groups_(groups) {}
 
     void read_property(const ast::File& file, const ast::Statement& statement);
-    /// Makes what the block is. One that holds statements is returned, for its statements are to be
-    /// run; otherwise nullptr.
+    /// Makes the object of a block. For a block that holds statements, returns the block, and the
+    /// caller runs these statements; otherwise returns nullptr.
     const BlockWord* read_block(const ast::File& file, const ast::Statement& statement);
 
   private:

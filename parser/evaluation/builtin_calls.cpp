@@ -6,7 +6,7 @@
 namespace lancer {
 namespace {
 
-/// `sin(90)`: an angle that can only be meant in degrees, as a number written in place.
+/// Warns about `sin(90)`: a literal angle that can only be meant in degrees.
 void warn_of_degrees(const ast::Step& call, const SourceSpan& place, std::string_view function,
                      Report& report) {
     const ast::Step& argument = (&call)[-1];

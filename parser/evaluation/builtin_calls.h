@@ -7,8 +7,8 @@
 
 namespace lancer {
 
-/// What a function makes of the arguments on top of the stack, which stay there. After an error: a
-/// broken value.
+/// The result of a function for the arguments on top of the stack, which stay there. A broken value
+/// after an error.
 Value call_builtin(const Function& function, const ast::File& file, const ast::Step& call,
                    ValueStack& stack, const Context& context);
 

@@ -48,7 +48,7 @@ void ComputedLists::take(Run& run, const ast::Step& step) {
         case Op::again:
             go_on(run, step);
             break;
-        default: {  // gathered
+        default: {  // the list is complete
             const std::size_t first = gathers_.back();
             gathers_.pop_back();
             make_list(first, place);
@@ -61,7 +61,7 @@ void ComputedLists::begin_range(Run& run, const ast::Step& step) {
     const Value to = stack_.pop();
     const Value from = stack_.pop();
     if (from.is_broken() || to.is_broken()) {
-        stack_.push_broken();  // and so is the list
+        stack_.push_broken();  // the list becomes broken, too
         begin(run, step, {});
     } else {
         begin(run, step, Iteration::range(from.number(), to.number()));
@@ -80,7 +80,8 @@ void ComputedLists::begin_elements(Run& run, const ast::Step& step) {
     begin(run, step, {});
 }
 
-/// Opens the scope of its variable, with the first value; without one it goes on behind.
+/// Opens a scope for the variable with the first value. Without a value, the run goes on after the
+/// iteration.
 void ComputedLists::begin(Run& run, const ast::Step& step, Iteration iteration) {
     if (iteration.at_end()) {
         run.at = step.high();
@@ -145,7 +146,7 @@ void ComputedLists::make_list(std::size_t first, const SourceSpan& place) {
     check_held(place);
 }
 
-/// Values that are held at one time are bounded, too: what elements hold may be large.
+/// Bounds the memory of the values that are held at one time: a single element may be large.
 void ComputedLists::check_held(const SourceSpan& place) {
     context_.meter.held(Value::held_bytes() + stack_.size() * sizeof(Value), place);
 }

@@ -1,5 +1,5 @@
-// Lists, those that are computed among them: [for i in 0..n if i != 3: f(i)]. The elements gather
-// on the stack of values; the iterations that are open stand beside it.
+// Lists, including computed ones: [for i in 0..n if i != 3: f(i)]. The elements gather on the stack
+// of values; open iterations have a stack of their own.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ class ComputedLists {
     ComputedLists(const Context& context, Scopes& scopes, ValueStack& stack)
         : context_(context), scopes_(scopes), stack_(stack) {}
 
-    /// A run of an expression above all that is open.
+    /// A run of an expression whose stacks begin above all that is open.
     Run begin_run(const ast::File& file, const ast::Expression& expression) const;
-    /// Does one of the steps of a list that is computed.
+    /// Executes one step of a computed list.
     void take(Run& run, const ast::Step& step);
-    /// Ends what the run has opened.
+    /// Closes what the run has opened.
     void give_up(const Run& run);
     /// Makes a list of the values from `first` on.
     void make_list(std::size_t first, const SourceSpan& place);

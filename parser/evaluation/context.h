@@ -1,4 +1,4 @@
-// What all parts of an evaluation share.
+// The context that all parts of an evaluation share.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace lancer {
 
-/// The script, what it may cost, and who is told what is wrong with it.
+/// The script, the limits on its cost, and the report of its errors.
 struct Context {
     Program& program;
     SourceMap& sources;
@@ -20,8 +20,8 @@ struct Context {
     std::string_view text(Symbol symbol) const { return program.symbols.text(symbol); }
     const Vocabulary& vocabulary() const { return program.vocabulary; }
 
-    /// A call or an include begins: until leave_call() it is among the notes of what is reported.
-    /// Throws StopReading when too many stand within each other.
+    /// A call or an include begins. Until leave_call() it is among the notes of all diagnostics.
+    /// Throws StopReading when calls are nested too deeply.
     void enter_call(const SourceSpan& place, std::string_view name) const {
         if (report.calls.size() >= meter.limits().calls) {
             report.error(Message::call_limit, place, meter.limits().calls);

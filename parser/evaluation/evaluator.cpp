@@ -33,7 +33,7 @@ std::vector<std::pair<Symbol, Value>> Evaluator::evaluate_definitions() {
         const ast::Expression expression =
             read_expression(file, context_.sources, program.symbols, program.vocabulary,
                             meter_.limits().nesting, context_.report);
-        // It would be made in this evaluator's scene, which nobody sees.
+        // The block would go into this evaluator's scene, which is not used.
         Value value(0.0);
         if (!file.statements.empty())
             context_.report.error(Message::definition_is_block, file.span(expression));
@@ -49,7 +49,8 @@ void Evaluator::check_unreached() {
 }
 
 void Evaluator::check_definitions(Report& usage) {
-    if (!includes_.is_incomplete()) params_.check(usage);  // else the param may stand in the rest
+    // else the missing file may declare the param
+    if (!includes_.is_incomplete()) params_.check(usage);
 }
 
 }  // namespace lancer

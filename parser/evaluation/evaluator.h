@@ -1,4 +1,4 @@
-// Runs an AST: the parts of an evaluation, put together.
+// Runs an AST: puts the parts of an evaluation together.
 #pragma once
 
 #include <string>
@@ -27,15 +27,17 @@ class Evaluator {
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
 
-    /// Values of what -D says; for an evaluator of its own, whose report is about the command line.
+    /// The values of the command line's -D options. Needs an evaluator of its own, whose report is
+    /// about the command line.
     std::vector<std::pair<Symbol, Value>> evaluate_definitions();
     /// Gives params these values, before run().
     void define(const std::vector<std::pair<Symbol, Value>>& values) { params_.define(values); }
     /// Runs the main file. Throws StopReading when a limit was passed.
     void run() { statements_.run(context_.program.main); }
-    /// After run(): finds what is wrong in code that was not executed, as far as it shows without.
+    /// After run(): checks code that was not executed, as far as that is possible without running
+    /// it.
     void check_unreached();
-    /// Reports what -D said wrong: names that no param has. After check_unreached().
+    /// Reports -D options that name no param. To be called after check_unreached().
     void check_definitions(Report& usage);
 
     const SceneBuilder& builder() const { return builder_; }
@@ -53,7 +55,7 @@ class Evaluator {
     Files files_;
     Includes includes_;
     Params params_;
-    // What an expression holds in place is read by blocks, whose values are expressions.
+    // Blocks in place read properties, whose values are expressions: so each refers to the other.
     BlocksInPlace in_place_;
     Expressions expressions_;
     const BlockContext block_context_;

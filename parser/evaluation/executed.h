@@ -19,14 +19,14 @@ class Executed {
         (*marks_)[statement] = true;
     }
 
-    /// By statement.
+    /// Marks of the file's statements, by index.
     std::vector<bool>& of(const ast::File& file) {
         std::vector<bool>& marks = files_[&file];
         marks.resize(file.statements.size());
         return marks;
     }
 
-    /// Whether anything in the file was.
+    /// Whether any statement of the file was reached.
     bool holds(const ast::File& file) const { return files_.contains(&file); }
 
   private:

@@ -9,13 +9,13 @@ namespace lancer {
 
 using ast::Op;
 
-/// A colour from 0xrrggbb.
+/// The linear colour of 0xrrggbb.
 static Value color_value(std::uint32_t rgb) {
     const Vec3d light = srgb_color(rgb);
     return {light.x, light.y, light.z};
 }
 
-/// What most operators meet: two numbers, with a result that is finite. The left one becomes it.
+/// The common case: two numbers with a finite result, which replaces the left one.
 static bool operate_on_numbers(Op op, Value& left, const Value& right) {
     if (!left.is_number() || !right.is_number()) return false;
     double result = 0;
@@ -118,7 +118,7 @@ void Expressions::take(Run& run, const ast::Step& step) {
         case Op::invert:
             take_operator(file, step);
             break;
-        default:  // an operator with two sides
+        default:  // a binary operator
             if (operate_on_numbers(step.op, stack_.below_top(), stack_.top()))
                 stack_.drop();
             else
@@ -147,7 +147,7 @@ void Expressions::take_operator(const ast::File& file, const ast::Step& step) {
             stack_.push(apply_unary(step.op, operand, site()));
             break;
         }
-        default: {  // two sides, and not just two numbers
+        default: {  // a binary operator on other values than two numbers
             const Value right = stack_.pop();
             const Value left = stack_.pop();
             stack_.push(apply_binary(step.op, left, right, site()));
@@ -156,7 +156,7 @@ void Expressions::take_operator(const ast::File& file, const ast::Step& step) {
     }
 }
 
-/// The steps of &&, || and ?: that ask what is on top.
+/// The steps of &&, || and ?: that test the value on top of the stack.
 void Expressions::take_condition(Run& run, const ast::Step& step) {
     const Value& top = stack_.top();
     if (!top.is(Value::Kind::boolean)) {
@@ -181,14 +181,14 @@ void Expressions::take_condition(Run& run, const ast::Step& step) {
     }
 }
 
-/// After a condition that is no bool nothing is known: the whole expression is broken.
+/// After a condition that is not a bool, the whole expression is broken.
 void Expressions::give_up(Run& run) {
     stack_.cut(run.bottom);
     lists_.give_up(run);
     run.at = run.end;
 }
 
-/// A string of the text, which all that have it share.
+/// A string literal. All copies of its value share the text.
 const Value& Expressions::literal(Symbol symbol) {
     if (literals_.size() <= symbol) literals_.resize(symbol + 1);
     if (literals_[symbol].is_broken())

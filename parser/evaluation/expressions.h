@@ -1,5 +1,5 @@
-// Evaluates expressions: postfix steps on a stack of values, so that the depth of a script never
-// becomes depth of the program's own stack.
+// Evaluates expressions: postfix steps on a stack of values, so that deep scripts never need a deep
+// stack of the program itself.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace lancer {
 
-/// Whoever makes a value of a material or texture that stands where a value does.
+/// Makes the value of a material or texture that stands where a value does.
 class InPlaceMaker {
   public:
     virtual Value make(const ast::File& file, std::uint32_t statement) = 0;
@@ -30,7 +30,7 @@ class Expressions {
           lists_(context, names.scopes(), stack_),
           calls_(context, names, stack_, executed, lists_) {}
 
-    /// The value of an expression; broken after an error, which was reported.
+    /// The value of an expression; a broken value after an error, which was reported.
     Value evaluate(const ast::File& file, const ast::Expression& expression);
 
   private:

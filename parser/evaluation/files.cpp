@@ -5,18 +5,19 @@
 namespace lancer {
 namespace {
 
-/// Without `.` and `..`, unless that would lead elsewhere: `..` after a link to a folder is that
-/// folder's parent.
+/// The path without `.` and `..`, unless that would name another file: `..` behind a link to a
+/// folder is the parent of the folder that the link leads to.
 std::string tidied(const std::filesystem::path& path) {
     const std::filesystem::path tidy = path.lexically_normal();
-    if (tidy.native() == path.native()) return tidy.string();  // as nearly always: no question
+    // the usual case: no access to the disk
+    if (tidy.native() == path.native()) return tidy.string();
     std::error_code ignored;
     const bool elsewhere =
         std::filesystem::exists(path, ignored) && !std::filesystem::equivalent(path, tidy, ignored);
     return (elsewhere ? path : tidy).string();
 }
 
-/// Reads it, unless it was read or tried before.
+/// Reads the file unless it was read or tried before.
 template <class Content, class Read>
 void load_once(Loaded<Content>& loaded, const Read& read) {
     if (loaded.content != nullptr || !loaded.problem.empty()) return;

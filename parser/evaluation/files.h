@@ -1,4 +1,4 @@
-// The files that a script names: where they are, and what is in them, read once.
+// The files that a script names: their paths and contents, read once.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,10 @@ class Files {
     Files(const Context& context, const Loader& loader) : context_(context), loader_(loader) {}
 
     const Loader& loader() const { return loader_; }
-    /// A path as the script in `file` means it.
+    /// The path that the script in `file` means.
     std::string resolve_path(const ast::File& file, std::string_view path) const;
 
-    /// What the file holds; nullptr after an error at `place`.
+    /// The content of the file; nullptr after an error at `place`.
     std::shared_ptr<const io::LoadedMesh> mesh(const std::string& path, const SourceSpan& place);
     std::shared_ptr<const Image> image(const std::string& path, io::ColorSpace space,
                                        const SourceSpan& place);
@@ -35,7 +35,7 @@ class Files {
     const Loader& loader_;
 };
 
-/// What tells whether two paths name the same file: absolute, with links followed.
+/// A key that is equal for two paths of the same file: absolute, with links resolved.
 std::string identity(const std::string& path);
 
 }  // namespace lancer

@@ -33,13 +33,13 @@ void FunctionCalls::report_no_function(Symbol name, const SourceSpan& place,
                                 place, name, true);
         return;
     }
-    if (binding->kind != Binding::Kind::definition) return;  // said where it is written
+    if (binding->kind != Binding::Kind::definition) return;  // reported at its definition
     Diagnostic* error =
         context_.report.error(Message::template_in_expression, place, context_.text(name));
     if (error != nullptr) error->hint = habits::callables;
 }
 
-/// Goes on in a function of the script; what called it waits.
+/// Continues in a function of the script; the caller's run waits.
 void FunctionCalls::enter(Run& run, const ast::Step& call, const Binding& callee) {
     const std::size_t first = stack_.size() - call.high();
     if (!arrange(run, call, {*callee.file, *callee.definition})) {
@@ -61,8 +61,9 @@ void FunctionCalls::enter(Run& run, const ast::Step& call, const Binding& callee
     bind_parameters(run);
 }
 
-/// Puts the arguments of a call in the order of the parameters, one place on the stack for each: a
-/// broken value where none is given. False after an error, one in an argument included.
+/// Puts the arguments of a call in the order of the parameters, one stack place each. A parameter
+/// without an argument gets a broken value. False after an error, also after one within an
+/// argument.
 bool FunctionCalls::arrange(const Run& run, const ast::Step& call, const Parameters& parameters) {
     const std::size_t count = call.high();
     const std::size_t first = stack_.size() - count;
@@ -93,7 +94,7 @@ bool FunctionCalls::arrange(const Run& run, const ast::Step& call, const Paramet
     return !broken;
 }
 
-/// The same for the arguments that have names, which stand behind the others.
+/// The same for named arguments, which stand after the others.
 bool FunctionCalls::arrange_named(const Run& run, std::size_t first, std::size_t unnamed,
                                   const Parameters& parameters) {
     std::vector<Given> given(parameters.size());
@@ -107,8 +108,8 @@ bool FunctionCalls::arrange_named(const Run& run, std::size_t first, std::size_t
     return good;
 }
 
-/// Binds the parameters from `run.parameter` on, up to one whose default is to be evaluated before;
-/// after the last one the run goes on with the function's expression.
+/// Binds the parameters from `run.parameter` on, up to one whose default must be evaluated first.
+/// After the last one, the run goes on with the function's expression.
 void FunctionCalls::bind_parameters(Run& run) {
     const ast::Range& range = run.function->arguments;
     const ast::Expression* next = &run.function->value;

@@ -1,5 +1,5 @@
-// Calls of functions in expressions. One of the script goes on in the loop that evaluates, so that
-// its depth is no depth of the program's own stack.
+// Calls of functions in expressions. The evaluation loop itself continues in a function of the
+// script, so nested calls do not deepen the stack of the program.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,11 @@ class FunctionCalls {
                   const ComputedLists& lists)
         : context_(context), names_(names), stack_(stack), executed_(executed), lists_(lists) {}
 
-    /// Replaces the arguments by the result; for a function of the script `run` becomes its run.
+    /// Replaces the arguments by the result. For a function of the script, `run` becomes the run of
+    /// its body.
     void call(Run& run, const ast::Step& step);
-    /// At the end of the run of a function: its next default, or what called it, with the result.
+    /// At the end of a function's run: goes on with its next default, or in the caller with the
+    /// result.
     void end(Run& run, Value result);
 
   private:

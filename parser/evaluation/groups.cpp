@@ -10,7 +10,7 @@
 
 namespace lancer {
 
-/// What a block of statements makes of the bodies in it; nothing for a group.
+/// How a block of statements combines its bodies; nothing for a group.
 static std::optional<Composite::Kind> joint_of(const Vocabulary& vocabulary, Symbol keyword) {
     if (keyword == vocabulary.unite) return Composite::Kind::unite;
     if (keyword == vocabulary.intersect) return Composite::Kind::intersect;
@@ -41,7 +41,7 @@ Groups::Open Groups::hide() {
     return std::exchange(open_, none);
 }
 
-/// All blocks of statements take the same.
+/// All blocks of statements take the same properties.
 const PropertySet& Groups::properties() const {
     const Vocabulary& vocabulary = context_.vocabulary();
     return vocabulary.block(vocabulary.group, no_symbol)->properties;

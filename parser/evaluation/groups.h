@@ -1,4 +1,4 @@
-// The groups, unions, intersections and differences that are open, and the properties they take.
+// The open groups, unions, intersections and differences, and their properties.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,23 @@ class Groups {
   public:
     explicit Groups(const BlockContext& context) : context_(context) {}
 
-    /// What is open is told apart by a number; `none`: nothing whose properties may stand here.
+    /// The index of the open group; `none`: no group whose properties may stand here.
     using Open = std::uint32_t;
 
-    /// Opens the group of a block of statements. Returns what was open: for close().
+    /// Opens the group of a block of statements. Returns the group that was open, for close().
     Open open(const ast::File& file, const ast::Statement& statement, const BlockWord& word);
     void close(Open outer);
-    /// In a template no property of a group around the call may stand. For show().
+    /// Hides the open group: a template must not set properties of a group around its call. Returns
+    /// the group that was open, for show().
     Open hide();
     void show(Open outer) { open_ = outer; }
 
     bool any() const { return open_ != none; }
-    /// Reads a property of the group that is open. False: there is none, or it is no property of
-    /// groups.
+    /// Reads a property of the open group. False: no group is open, or groups have no such
+    /// property.
     bool take_property(const ast::File& file, const ast::Statement& property);
     void take_material(const ast::File& file, const ast::Statement& material);
-    /// Reports a property that the group which is open does not know.
+    /// Reports a property that the open group does not have.
     void report_unknown(const ast::File& file, const ast::Statement& property) const;
 
   private:

@@ -7,7 +7,8 @@ namespace lancer {
 Value BlocksInPlace::make(const ast::File& file, std::uint32_t index) {
     const ast::Statement& statement = file.statements[index];
     const SourceSpan place = file.span(statement);
-    // The one recursion of the evaluation: a function may hold a block whose property calls it.
+    // This is the only recursion of the evaluation: a function may hold a block, one of whose
+    // properties calls the function.
     const std::uint64_t deepest = context_.meter.limits().nesting;
     if (depth_ >= deepest) {
         context_.report.error(Message::nesting_limit, place, deepest);

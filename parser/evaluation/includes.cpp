@@ -58,7 +58,8 @@ const ast::File* Includes::load(const std::string& path, const std::string& key,
             meter.source(loaded.bytes, place);
             const std::uint32_t index = add_source(context_.sources, path, std::move(source));
             loaded.file = std::make_unique<ast::File>();
-            context_.report.calls.push_back({statement, ""});  // syntax errors come through it
+            // so that syntax errors name this include
+            context_.report.calls.push_back({statement, ""});
             *loaded.file = read_syntax(index, context_.sources, program.symbols, program.vocabulary,
                                        meter.limits().nesting, context_.report);
             context_.report.calls.pop_back();

@@ -1,4 +1,4 @@
-// The scripts that a script includes: each once, and none within itself.
+// The scripts that a script includes: each runs once, and none includes itself.
 #pragma once
 
 #include <string>
@@ -14,15 +14,15 @@ class Includes {
   public:
     Includes(const Context& context, Files& files);
 
-    /// The script that an `include` names, which is being read until leave(). nullptr: there is
-    /// nothing to run, after an error or since it was included before.
+    /// The script that an `include` names; it counts as open until leave(). nullptr: nothing is to
+    /// be run, after an error or because the script was included before.
     const ast::File* enter(const ast::File& file, const ast::Statement& statement,
                            const Value& name);
     void leave();
 
-    /// Whether one was not read: what it defines is not known.
+    /// Whether a script could not be read, so that its definitions are unknown.
     bool is_incomplete() const { return incomplete_; }
-    /// There is one that the run did not reach.
+    /// Records an include that the run did not reach.
     void miss() { incomplete_ = true; }
 
   private:

@@ -5,7 +5,7 @@
 namespace lancer {
 
 bool is_range_bound(const Value& value, const SourceSpan& place, Report& report) {
-    constexpr double most = 9007199254740992.0;  // beyond 2^53 not every number is there
+    constexpr double most = 9007199254740992.0;  // above 2^53, doubles skip whole numbers
     if (value.is_broken()) return false;
     if (value.is_number() && value.number() == std::floor(value.number()) &&
         std::abs(value.number()) <= most)

@@ -1,4 +1,4 @@
-// A loop over a list or a range: of a `for` statement, or of a `for` within a list.
+// A loop over a list or a range, of a `for` statement or of a `for` within a list.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Iteration {
     std::uint64_t position = 0, count = 0;
     bool is_range = false;
 
-    /// The whole numbers from `from` up to, not including, `to`.
+    /// The whole numbers from `from` to `to`, without `to`.
     static Iteration range(double from, double to) {
         Iteration made;
         made.is_range = true;
@@ -36,7 +36,7 @@ struct Iteration {
     }
 };
 
-/// Whether a range may begin or end there; if not, that is reported.
+/// Whether a range may begin or end at this value. Reports an error if not.
 bool is_range_bound(const Value& value, const SourceSpan& place, Report& report);
 
 }  // namespace lancer

@@ -49,7 +49,7 @@ bool Names::declare(Binding binding) {
     return true;
 }
 
-/// Where a name that means nothing here is defined in the same file: later, or in other braces.
+/// The place where the same file defines an undefined name: later, or within other braces.
 SourceSpan Names::place_of_definition(const SourceSpan& use, Symbol name) const {
     const Program& program = context_.program;
     const ast::File* file = program.main.source == use.file ? &program.main : nullptr;

@@ -1,4 +1,4 @@
-// The parameters of a template or function of the script, as a call sees them.
+// The parameters of a template or function of the script, and the arguments of a call.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace lancer {
 
-/// The argument that a parameter has, if it has one.
+/// The argument for one parameter, if there is one.
 struct Given {
     Value value;
     bool is_given = false;
@@ -25,11 +25,11 @@ class Parameters {
     const ast::Argument& operator[](std::size_t i) const {
         return file_.arguments[definition_.arguments.begin + i];
     }
-    /// Of the template or function.
+    /// The name of the template or function.
     Symbol name() const { return definition_.name; }
     const ast::File& file() const { return file_; }
 
-    /// Gives the parameter of this name a value. False after an error.
+    /// Gives the parameter `name` a value. False after an error.
     bool give(Symbol name, Value value, std::vector<Given>& given, const SourceSpan& place,
               const Context& context) const;
 
@@ -40,7 +40,7 @@ class Parameters {
     const ast::Statement& definition_;
 };
 
-/// A parameter with its value, for the scope of a call.
+/// The binding of a parameter to its value, in the scope of a call.
 inline Binding parameter_binding(const ast::File& home, const ast::Argument& parameter,
                                  Value value) {
     Binding binding;

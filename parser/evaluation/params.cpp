@@ -13,7 +13,8 @@ Params::Params(const Context& context, const Definitions& definitions, Names& na
 
 void Params::define(const std::vector<std::pair<Symbol, Value>>& values) {
     Symbols& symbols = context_.program.symbols;
-    // A param of the script called frame or time follows an animation as the built-in ones do.
+    // A param of the script that is called frame or time follows an animation like the built-in
+    // constants.
     if (definitions_.frame) defined_[symbols.intern("frame")] = {Value(*definitions_.frame), true};
     if (definitions_.time) defined_[symbols.intern("time")] = {Value(*definitions_.time), true};
     for (const auto& [symbol, value] : values) {

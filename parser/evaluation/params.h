@@ -1,4 +1,4 @@
-// The params of a script, and what -D says of them.
+// The params of a script, and the values that -D gives them.
 #pragma once
 
 #include <unordered_map>
@@ -12,14 +12,15 @@ namespace lancer {
 
 class Params {
   public:
-    /// `frame` and `time` become constants.
+    /// Defines `frame` and `time` as constants.
     Params(const Context& context, const Definitions& definitions, Names& names);
 
     /// Gives params these values, before the script runs.
     void define(const std::vector<std::pair<Symbol, Value>>& values);
-    /// A param of the script: what it has instead of its default; nullptr: nothing.
+    /// The value that a param of the script takes instead of its default; nullptr when there is
+    /// none.
     const Value* take(Symbol name);
-    /// Reports what -D said wrong: names that no param has. After the script ran.
+    /// Reports -D options that name no param. To be called after the script ran.
     void check(Report& usage) const;
 
   private:

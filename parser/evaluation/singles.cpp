@@ -2,7 +2,7 @@
 
 namespace lancer {
 
-/// Adds where the first one stands.
+/// Adds a note with the place of the first one.
 static void point_to(const SourceSpan& first, Diagnostic* error) {
     if (error != nullptr)
         error->notes.insert(error->notes.begin(), Report::note(Message::first_here, first));

@@ -1,4 +1,4 @@
-// What may stand once in a scene: where it was met first.
+// What a scene may contain only once: remembers the place of the first.
 #pragma once
 
 #include <string>
@@ -9,23 +9,24 @@
 
 namespace lancer {
 
-/// Reports a second statement of a kind that may stand once; `first` remembers the first.
+/// True for a second statement of a kind that may stand once, which is reported. `first` holds the
+/// place of the first.
 bool is_repeated(std::string_view word, SourceSpan& first, const SourceSpan& place, Report& report);
 
 class Singles {
   public:
     explicit Singles(Report& report) : report_(report) {}
 
-    /// Reports a second one of its kind.
+    /// True for a second block of its kind, which is reported.
     bool is_second_image(const SourceSpan& place) { return is_second("image", image_, place); }
     bool is_second_render(const SourceSpan& place) { return is_second("render", render_, place); }
     bool is_second_ambient(const SourceSpan& place) {
         return is_second("ambient", ambient_, place);
     }
-    /// The same; background and sky stand for one thing.
+    /// The same. Background and sky exclude each other.
     bool is_second_background(const SourceSpan& place);
     bool is_second_sky(const SourceSpan& place);
-    /// Reports a second camera of a name.
+    /// False for a second camera with the same name, which is reported.
     bool is_new_camera(const std::string& name, const SourceSpan& place);
 
   private:

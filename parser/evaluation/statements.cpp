@@ -6,7 +6,7 @@ using Kind = ast::Statement::Kind;
 
 void Statements::run(const ast::File& file) {
     names_.scopes().open();
-    // Most of what a long file says are objects.
+    // Most statements of a long file are objects.
     context_.builder.scene.objects.reserve(file.body.size());
     push(Frame::Kind::include, file, file.body).file_level = true;
     while (!frames_.empty()) step();
@@ -20,7 +20,8 @@ void Statements::step() {
     }
     const ast::File& file = *frame.file;
     const ast::Statement& statement = file.statements[frame.next];
-    if (statement.kind != Kind::func) executed_.mark(file, frame.next);  // its calls do
+    // a func is marked when it is called
+    if (statement.kind != Kind::func) executed_.mark(file, frame.next);
     ++frame.next;
     context_.meter.statement(file.span(statement));
     execute(file, statement);
@@ -109,7 +110,7 @@ void Statements::end_frame() {
     frames_.pop_back();
 }
 
-/// The binding of the name that a statement declares, without a value yet.
+/// The binding for the name that a statement declares, still without a value.
 static Binding binding_of(const ast::File& file, const ast::Statement& statement) {
     Binding binding;
     binding.name = statement.name;
@@ -132,7 +133,8 @@ void Statements::execute_param(const ast::File& file, const ast::Statement& stat
     names_.declare(std::move(binding));
 }
 
-/// What a declaration that could not be read declares is broken, and no more is said of it.
+/// Binds the name of a declaration with a syntax error to a broken value, so that its uses report
+/// nothing more.
 void Statements::execute_broken(const ast::File& file, const ast::Statement& statement) {
     Binding binding = binding_of(file, statement);
     const std::string_view word = context_.text(statement.word);
@@ -208,7 +210,7 @@ bool Statements::next_iteration(Frame& frame) {
     return true;
 }
 
-/// False: there is no result, after an error.
+/// Evaluates a condition. False after an error: there is no result.
 bool Statements::condition(const ast::File& file, const ast::Expression& expression,
                            std::string_view what, bool& result) {
     const Value value = context_.expressions.evaluate(file, expression);

@@ -1,5 +1,5 @@
-// Runs statements on a stack of frames, so that the depth of a script never becomes depth of the
-// program's own stack.
+// Runs statements on a stack of frames, so that deep scripts never need a deep stack of the program
+// itself.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ class Statements {
     std::vector<std::string> take_printed() { return std::move(printed_); }
 
   private:
-    /// A run of statements that is being executed, and what to do at its end.
+    /// A range of statements that is being executed, and what to do at its end.
     struct Frame {
         enum class Kind : std::uint8_t { body, loop, call, group, include };
         Kind kind = Kind::body;

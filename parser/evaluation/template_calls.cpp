@@ -27,7 +27,7 @@ void TemplateCalls::define(const ast::File& file, const ast::Statement& statemen
     names_.declare(std::move(binding));
 }
 
-/// No two have one name; if they have, that is reported.
+/// Reports parameters with equal names. False when there are any.
 bool TemplateCalls::has_new_parameters(const Parameters& parameters) const {
     bool good = true;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -45,7 +45,7 @@ bool TemplateCalls::has_new_parameters(const Parameters& parameters) const {
     return good;
 }
 
-/// nullptr: what is called is no template.
+/// nullptr: the name is not a template, which was reported.
 const Binding* TemplateCalls::find_template(const ast::Statement& call,
                                             const SourceSpan& place) const {
     const Symbol name = call.word;
@@ -76,7 +76,7 @@ std::optional<TemplateCalls::Entered> TemplateCalls::enter(const ast::File& file
     if (!match(file, call, parameters, given)) return std::nullopt;
     if (!are_complete(parameters, place, given)) return std::nullopt;
     context_.enter_call(place, context_.text(call.word));
-    // Calls in the arguments may have moved the bindings.
+    // Calls in the arguments may have moved the bindings, so the template is looked up again.
     Scopes& scopes = names_.scopes();
     const Scopes::Caller caller = scopes.enter(*scopes.find_callable(call.word));
     scopes.open();
@@ -117,7 +117,7 @@ bool TemplateCalls::match(const ast::File& file, const ast::Statement& call,
     return good;
 }
 
-/// Every parameter has a value or a default.
+/// Reports parameters without a value and a default. False when there are any.
 bool TemplateCalls::are_complete(const Parameters& parameters, const SourceSpan& call,
                                  const std::vector<Given>& given) const {
     bool complete = true;
@@ -130,7 +130,8 @@ bool TemplateCalls::are_complete(const Parameters& parameters, const SourceSpan&
     return complete;
 }
 
-/// In the scope of the call: binds what is given, evaluates the rest, which may use earlier ones.
+/// In the scope of the call: binds the given values and evaluates the other defaults, which may use
+/// earlier parameters.
 void TemplateCalls::bind(const Parameters& parameters, std::vector<Given>& given) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const ast::Argument& parameter = parameters[i];

@@ -15,16 +15,16 @@ class TemplateCalls {
     TemplateCalls(const Context& context, Names& names, Expressions& expressions)
         : context_(context), names_(names), expressions_(expressions) {}
 
-    /// `def` and `func`.
+    /// Executes a `def` or `func` statement.
     void define(const ast::File& file, const ast::Statement& statement);
 
-    /// A template whose parameters are bound.
+    /// A called template whose parameters are bound.
     struct Entered {
         const ast::File& file;
         const ast::Statement& definition;
         Scopes::Caller caller;
     };
-    /// The template that a statement calls, until leave(); nothing after an error.
+    /// Enters the template that a statement calls, until leave(). Nothing after an error.
     std::optional<Entered> enter(const ast::File& file, const ast::Statement& call);
     void leave(const Scopes::Caller& caller);
 

@@ -65,7 +65,7 @@ void report_stray_property(const ast::File& file, const ast::Statement& property
     error->hint = instead.empty() ? suggestion.hint() : instead;
 }
 
-/// "image, render, camera, light, ...", each once.
+/// "image, render, camera, light, ...": every block, each keyword once.
 static std::string list_of_blocks(const Vocabulary& vocabulary) {
     std::string all;
     std::string_view last;

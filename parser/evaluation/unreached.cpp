@@ -16,11 +16,11 @@ void Unreached::check() {
     for (const ast::File* file : all) {
         check_blocks(*file);
         if (!includes_.is_incomplete())
-            check_words(*file);  // else names may stand in what is missed
+            check_words(*file);  // else the missing files may define the names
     }
 }
 
-/// Those that ran at least in part.
+/// Files of which at least a part ran.
 std::vector<const ast::File*> Unreached::files() const {
     const Program& program = context_.program;
     std::vector<const ast::File*> all{&program.main};
@@ -42,13 +42,13 @@ void Unreached::find_missed_includes(const ast::File& file) {
         if (file.statements[i].kind == Kind::include && !executed[i]) includes_.miss();
 }
 
-/// What shows by the tables of blocks. Marks the properties of blocks that were executed as such.
+/// Checks blocks by their tables. Marks the properties of executed blocks as executed.
 void Unreached::check_blocks(const ast::File& file) {
     const Vocabulary& vocabulary = context_.vocabulary();
     std::vector<bool>& executed = executed_.of(file);
     for (std::uint32_t i = 0; i < file.statements.size(); ++i) {
         const ast::Statement& statement = file.statements[i];
-        // What stands at file level was reached.
+        // All statements at file level were reached, so this param stands deeper.
         if (!executed[i] && statement.kind == Kind::param)
             context_.report.error(Message::param_not_at_top, file.span(statement));
         const bool holds_properties =
@@ -59,7 +59,7 @@ void Unreached::check_blocks(const ast::File& file) {
             if (word != nullptr) BlockReader(context_, file, statement, *word).check();
             continue;
         }
-        // Nested materials stand before their block, so go on inwards from here.
+        // Nested materials stand before their block in the array, so go on inwards from here.
         for (std::uint32_t j = statement.body.begin; j < statement.body.end; ++j) {
             executed[j] = true;
             const ast::Range inner = file.statements[j].body;
@@ -68,7 +68,7 @@ void Unreached::check_blocks(const ast::File& file) {
     }
 }
 
-/// Words that no table has, and names that stand nowhere.
+/// Checks for words that no table has, and for names that are defined nowhere.
 void Unreached::check_words(const ast::File& file) {
     const Vocabulary& vocabulary = context_.vocabulary();
     const std::vector<bool>& executed = executed_.of(file);
@@ -88,13 +88,13 @@ void Unreached::check_words(const ast::File& file) {
     }
 }
 
-/// `lone_word`: the expression may be one word of a property that takes words.
+/// `lone_word`: the expression may be one word, for a property that takes words.
 void Unreached::check_names(const ast::File& file, const ast::Expression& expression,
                             bool lone_word) {
     if (lone_word && expression.end - expression.begin == 1) return;
     for (std::uint32_t i = expression.begin; i < expression.end; ++i) {
         const ast::Step& step = file.steps[i];
-        if (step.op == ast::Op::skip) i = step.low();  // these statements are looked at themselves
+        if (step.op == ast::Op::skip) i = step.low();  // the loop over all statements checks these
         const bool call = step.op == ast::Op::call;
         if (!call && step.op != ast::Op::name) continue;
         const Symbol name = step.low();

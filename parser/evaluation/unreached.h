@@ -1,6 +1,6 @@
-// Code that no run reaches (a template that nobody calls, the other side of an `if`) is checked as
-// far as it can be without running it: blocks by their tables, names against all that stand in any
-// file.
+// Checks code that no run reaches (a template that nobody calls, the other branch of an `if`), as
+// far as that is possible without running it: blocks by their tables, and names against all names
+// that any file defines.
 #pragma once
 
 #include <unordered_set>
@@ -18,7 +18,7 @@ class Unreached {
     Unreached(const BlockContext& context, Executed& executed, Includes& includes)
         : context_(context), executed_(executed), includes_(includes) {}
 
-    /// After the run.
+    /// To be called after the run.
     void check();
 
   private:

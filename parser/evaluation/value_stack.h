@@ -1,4 +1,4 @@
-// The values that expressions work on, and the names that some of them were given as arguments.
+// The values that expressions work on, and the names of those that are named arguments.
 #pragma once
 
 #include <cstddef>
@@ -36,19 +36,19 @@ class ValueStack {
 
     void drop() { values_.pop_back(); }
 
-    /// Drops what stands from here on, with its names.
+    /// Drops all values from `first` on, with their names.
     void cut(std::size_t first) {
         values_.resize(first);
         while (!labels_.empty() && labels_.back().argument >= first) labels_.pop_back();
     }
-    /// Broken values up to this size.
+    /// Pushes broken values up to this size.
     void fill_up(std::size_t size) { values_.resize(size); }
-    /// Gives back the memory that is not used.
+    /// Frees unused memory.
     void shrink() { values_.shrink_to_fit(); }
 
     /// Names the value on top.
     void name_top(const ast::Step& step) { labels_.push_back({values_.size() - 1, &step}); }
-    /// The names of the values from here on, in their order.
+    /// The names of the values from `first` on, in order.
     std::span<const Label> labels_from(std::size_t first) const {
         std::size_t label = labels_.size();
         while (label > 0 && labels_[label - 1].argument >= first) --label;
