@@ -22,7 +22,7 @@ judge::Encoding parse_encoding(const std::string& text) {
         const double exponent = parse_number(text);
         if (exponent >= 0.1 && exponent <= 10) return {Kind::gamma, exponent};
     } catch (const UsageError&) {
-        // said below
+        // Reported below.
     }
     throw UsageError(
         "'" + text +

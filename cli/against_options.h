@@ -22,8 +22,8 @@ struct AgainstOptions {
 
 void add_against_options(CLI::App& app, AgainstOptions& options);
 
-/// The pictures of these scenes, one each. Throws UsageError where one file is given for several
-/// scenes, and FileError where a folder lacks one.
+/// The picture for `scene`, one of a number of `scenes`. Throws UsageError when one file is given
+/// for several scenes, and FileError when a folder has no picture for this scene.
 std::string picture_for(const AgainstOptions& options, const std::string& scene,
                         std::size_t scenes);
 

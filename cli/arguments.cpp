@@ -82,7 +82,8 @@ Crop parse_crop(const std::string& text) {
 }
 
 FrameRange parse_frames(const std::string& text) {
-    // Far more than anybody renders, and small enough that differences and names cannot overflow.
+    // Far more frames than anybody renders; small enough that differences and names cannot
+    // overflow.
     constexpr std::int64_t largest = 1'000'000'000;
     const std::size_t dots = text.find("..");
     if (dots != std::string::npos) {

@@ -1,5 +1,5 @@
-// Words of the command line → values. Numbers are read whole, without a locale, inside their
-// bounds.
+// Converts words of the command line to values. A number must be a whole word, within its bounds,
+// and does not depend on the locale.
 #pragma once
 
 #include <cstdint>
@@ -24,33 +24,33 @@ struct PictureSize {
     int height = 0;
 };
 
-/// `1..10`: both ends belong to it, the first is not above the last.
+/// `1..10`: both ends are included; the first is not above the last.
 struct FrameRange {
     std::int64_t first = 0;
     std::int64_t last = 0;
 
     std::uint64_t count() const { return static_cast<std::uint64_t>(last - first) + 1; }
-    /// 0 at the first frame, 1 at the last; 0 when there is one frame only. In a loop 1 would be at
-    /// the frame after the last, which the first stands for.
+    /// 0 at the first frame, 1 at the last; 0 when there is only one frame. In a loop, 1 belongs to
+    /// the frame after the last, which is the first again.
     double time(std::int64_t frame, bool loop = false) const;
 };
 
-/// `1%:2`: at most 1 % of the pixels may be off by more than 2 steps of 8 bits.
+/// `1%:2`: at most 1 % of the pixels may differ by more than 2 steps of 8 bits.
 struct OffTarget {
     double share = 0;  ///< 0.0003 to 0.5
     double steps = 0;  ///< 0.1 to 254
 };
 
-/// `3/12`: the third of twelve; number and count lie between 1 and 65535, the most rows there are.
+/// `3/12`: the third of twelve. Both lie between 1 and 65535, the largest number of rows.
 struct PartOf {
     int number = 1;
     int count = 1;
 
-    /// Whether something with this index is dealt to the part, one to each in turn.
+    /// Whether the item with this index belongs to the part. Items are dealt to the parts in turn.
     bool has(std::int64_t index) const { return index % count == number - 1; }
 };
 
-/// Each throws UsageError that says what is expected.
+/// Each function throws UsageError, which says what is expected.
 PictureSize parse_size(const std::string& text);
 PartOf parse_part(const std::string& text);
 Crop parse_crop(const std::string& text);
@@ -61,15 +61,15 @@ void check_crop(const Crop& crop, int width, int height);
 double parse_number(const std::string& text);
 std::int64_t parse_whole_number(const std::string& text);
 
-/// Options that set `target` when they stand on the command line.
+/// Add options that set `target` when they are given.
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                         double least, double most, const std::string& help);
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
                               std::optional<std::int64_t>& target, std::int64_t least,
                               std::int64_t most, const std::string& help);
 
-/// An option that takes one of `words`, and calls `take` with its index. Help and completions name
-/// them, and so does the error about another word: `'fin' is no NOUN: expected draft or fine`.
+/// Adds an option that takes one of `words` and calls `take` with its index. Help, completions and
+/// the error about another word list them: `'fin' is no NOUN: expected draft or fine`.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::vector<std::string> words,
                         const std::string& noun, std::function<void(std::size_t)> take,
                         const std::string& help);

@@ -27,7 +27,7 @@ ExitCode check(const std::string& path, const CheckJob& job, Session& session) {
     } catch (const SceneRejected& rejected) {
         return rejected.code;
     } catch (const FileError& error) {
-        // The other scenes still deserve their answer.
+        // The other scenes are still checked.
         session.terminal.error(error.what());
         return ExitCode::files;
     }

@@ -1,4 +1,4 @@
-// The command line as CLI11 knows it: what main() parses, and what help and pages are made of.
+// The command line as CLI11 knows it. main() parses it; help and manual pages are made from it.
 #pragma once
 
 #include "cli/session.h"
@@ -9,8 +9,8 @@ class App;
 
 namespace lancer::cli {
 
-/// Adds all commands and what is said about the program as a whole. Once a command line has been
-/// parsed, `action` is what to do.
+/// Adds all commands and the description of the program. After a command line has been parsed,
+/// `action` is what to do.
 void set_up_command_line(CLI::App& app, Action& action);
 
 }  // namespace lancer::cli

@@ -12,7 +12,7 @@
 namespace lancer::cli {
 namespace {
 
-/// `draft|normal|fine`: words to choose from; capitals stand for something else to write.
+/// The words of `draft|normal|fine`. Words in capitals are placeholders for other values.
 std::vector<std::string> words_in(const std::string& value) {
     std::vector<std::string> words;
     if (value.find('|') == std::string::npos) return words;
@@ -29,7 +29,7 @@ ValueKind kind_of(std::string_view value) {
     if (value == "SCENE") return ValueKind::scene;
     for (const std::string_view file : {"FILE", "OUT", "PICTURE", "PARTS", "A", "B"})
         if (value == file) return ValueKind::file;
-    // `OUT.pov`: a name and the ending that it must have.
+    // `OUT.pov`: a placeholder with the ending that the file name must have.
     return value.find('.') != std::string_view::npos && value.find("..") == std::string_view::npos
                ? ValueKind::file
                : ValueKind::free;

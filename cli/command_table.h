@@ -1,4 +1,4 @@
-// What the command line takes, as plain data read from the tables that `--help` shows.
+// The commands and options as plain data, read from the tables that `--help` shows.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace lancer::cli {
 
-/// What a value is, as far as a shell can help to write it.
+/// The kind of an option's value, as far as a shell can complete it.
 enum class ValueKind : std::uint8_t {
-    free,    ///< a number, a name: nothing to offer
+    free,    ///< a number, a name: nothing to complete
     words,   ///< `OptionRow::words`
     file,    ///< any file
     scene,   ///< a file called *.lancer

@@ -1,5 +1,5 @@
-// The commands, one file each. Each function adds its command to the command line; once the command
-// has been named there, `action` is what to do.
+// The commands, one file each. Each function adds its command to the command line. When that
+// command was given, `action` is what to do.
 #pragma once
 
 #include "cli/session.h"

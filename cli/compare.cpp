@@ -57,8 +57,8 @@ reference::CompareOptions options_of(const CompareJob& job) {
     return options;
 }
 
-/// The mask for a pair of this name: its own, by the same name or as a PNG, where --mask is a
-/// folder; empty where it is in none.
+/// The mask for a pair of pictures, where --mask is a folder: the file there with the same name, or
+/// with the ending .png. Empty when there is none.
 std::string mask_file(const std::string& folder, const std::string& name) {
     std::error_code ignored;
     const std::filesystem::path own = std::filesystem::path(folder) / name;
@@ -67,7 +67,7 @@ std::string mask_file(const std::string& folder, const std::string& name) {
     return std::filesystem::exists(png, ignored) ? png.string() : std::string();
 }
 
-/// What --mask says of each pair of two folders.
+/// The masks that --mask gives to the pairs of two folders.
 judge::MaskOf masks_of(const CompareJob& job, Session& session) {
     if (job.mask.empty()) return {};
     std::error_code ignored;

@@ -1,4 +1,4 @@
-// What is said of the light that limits left out.
+// Describes the light that limits on the recursion left out.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace lancer::cli {
 
-/// One line, and whether a 16-bit picture may show it: half a step of sRGB's dark end, where steps
-/// are smallest, is 6e-7 in linear light.
+/// One line, which also says whether a 16-bit picture may show the loss: half a step at the dark
+/// end of sRGB, where steps are smallest, is 6e-7 in linear light.
 std::string cut_line(const accuracy::CutBound& cut);
 
 }  // namespace lancer::cli

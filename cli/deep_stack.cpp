@@ -14,7 +14,7 @@ void run_on_deep_stack(const Limits& limits, const std::function<void()>& work) 
         work();
         return;
     }
-    // The default stack serves the default limits, so a multiple serves a multiple.
+    // The default stack is enough for the default limits, so a multiple is enough for a multiple.
     constexpr std::uint64_t default_stack = 8ull << 20;
     const std::uint64_t factor =
         std::max(limits.nesting / defaults.nesting, limits.calls / defaults.calls) + 1;

@@ -1,4 +1,4 @@
-// Room for recursion, when --limit-nesting or --limit-calls ask for more of it than a process has.
+// A larger stack for the recursion that --limit-nesting or --limit-calls allow.
 #pragma once
 
 #include <functional>
@@ -7,9 +7,9 @@
 
 namespace lancer::cli {
 
-/// Calls `work`, on a thread with a larger stack where `limits` are above their defaults (which fit
-/// into the 8 MiB that a process starts with). What `work` throws arrives here. Throws FileError
-/// when there is no room for such a stack.
+/// Calls `work`. Where `limits` are above their defaults (which fit into the 8 MiB that a process
+/// starts with), it runs on a thread with a larger stack. Passes on what `work` throws. Throws
+/// FileError when there is no memory for such a stack.
 void run_on_deep_stack(const Limits& limits, const std::function<void()>& work);
 
 }  // namespace lancer::cli

@@ -15,8 +15,8 @@
 namespace lancer::cli {
 namespace {
 
-/// What the picture is judged by. The deepest recursion that anything may ask for is compiled in;
-/// each trace says how much of it is used.
+/// The settings of the truth. It is compiled for the deepest recursion that any trace may need;
+/// each trace limits its own.
 Settings true_settings(const Scene& scene, const Settings& wanted, double error) {
     Settings settings = scene.settings;
     const TraceLimits limits = accuracy::limits_of_truth(error);
@@ -30,14 +30,14 @@ Settings true_settings(const Scene& scene, const Settings& wanted, double error)
     return settings;
 }
 
-/// What a picture may leave out beside branches of its recursion.
+/// Whether the picture leaves out something else than branches of its recursion.
 bool leaves_out(const Settings& picture, const Settings& truth) {
     return picture.shadows != truth.shadows || picture.smooth != truth.smooth ||
            picture.textures != truth.textures || picture.tolerance != truth.tolerance ||
            picture.precision != truth.precision;
 }
 
-/// The channels that plain rendering adds, then what adaptive sampling knows of each pixel.
+/// Adds the channels of plain rendering, then those of adaptive sampling.
 void add_channels(Image& image, const Image& plain, const accuracy::ErrorPicture& made) {
     const int extra = plain.channels - 3;
     Image whole(image.width, image.height, plain.channels + 2);
@@ -55,7 +55,8 @@ void add_channels(Image& image, const Image& plain, const accuracy::ErrorPicture
     image = std::move(whole);
 }
 
-/// One sample a pixel, as for every picture; its rays are not counted. Rows one below the other.
+/// One sample a pixel, as in every picture; its rays are not counted. The strips of `rows` are
+/// stacked without gaps.
 Image plain_picture(const Renderer& renderer, const View& view,
                     const std::optional<accuracy::PictureRows>& rows) {
     RayCounts uncounted;
@@ -76,7 +77,7 @@ Image plain_picture(const Renderer& renderer, const View& view,
     return all;
 }
 
-/// The worlds that the picture is made from and judged by.
+/// The world of the picture and that of the truth.
 struct Setting {
     Setting(const Scene& scene, const SettingsOptions& options, double error, Level level) {
         const Stopwatch watch;
@@ -117,7 +118,8 @@ struct Setting {
     double build_seconds = 0;
 };
 
-/// Whether there is time for one more pass. The clock decides how many there are, and nothing else.
+/// Decides whether there is time for one more pass. The clock decides only how many passes there
+/// are.
 class PassPace {
   public:
     PassPace(const ErrorOptions& options, const PassClock& clock)
@@ -127,7 +129,7 @@ class PassPace {
         const double now = clock_.seconds();
         if (state.rays > rays_) {
             const double per_ray = (now - last_) / static_cast<double>(state.rays - rays_);
-            // The first passes are alike; later ones go where rays cost more, as audits do.
+            // The first passes are alike. Later ones, like audits, go where rays cost more.
             per_ray_ = state.passes > 9 ? 0.8 * per_ray_ + 0.2 * per_ray : per_ray;
         }
         rays_ = state.rays;
@@ -141,7 +143,8 @@ class PassPace {
     }
 
   private:
-    /// A few spread rays cost more each than those of a picture: only what is far off is refused.
+    /// A few scattered rays cost more each than those of a picture, so only a clearly too short
+    /// time is refused.
     void check(double needed) const {
         if (last_ + needed / 3 <= *options_.seconds) return;
         throw UsageError(fmt::format(
@@ -149,7 +152,7 @@ class PassPace {
             *options_.seconds, options_.no_audit ? "the file" : "an audit", last_ + needed));
     }
 
-    /// After the first pass, and whenever the time has doubled.
+    /// Shows the picture after the first pass, and whenever the time has doubled.
     void show(const accuracy::PassState& state, double now) {
         if (state.passes > 1 && now < next_show_) return;
         clock_.show(state.samples.image());
@@ -215,7 +218,7 @@ ErrorRun render_to_share(const Scene& scene, const SettingsOptions& options,
 ErrorRun render_by_passes(const Scene& scene, const SettingsOptions& options,
                           const ErrorOptions& errors, Level level, const View& view,
                           const PassClock& clock) {
-    constexpr double error = 0.001;  // which the truth's limits may cut a hundredth of
+    constexpr double error = 0.001;  // the truth's limits may cut a hundredth of it
     const Setting setting(scene, options, error, level);
     accuracy::PassGoal goal;
     goal.seed = setting.seed;

@@ -1,4 +1,4 @@
-// What is said of a picture's error.
+// Describes the error of a picture.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace lancer::cli {
 
-/// One line: the error with its interval, or why it cannot be told, and what it cost.
+/// One line: the error with its interval, or why it cannot be told; and its cost.
 std::string error_line(const accuracy::ErrorReport& report);
-/// The same for a picture's file: names and values.
+/// The same for the picture's file, as names and values.
 std::vector<std::pair<std::string, std::string>> error_notes(const accuracy::ErrorReport& report);
 
 }  // namespace lancer::cli

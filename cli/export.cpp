@@ -33,7 +33,7 @@ struct ExportJob {
     SceneOptions scene_options;
 };
 
-/// What POV-Ray does otherwise is no mistake, but nothing to be silent about.
+/// Where POV-Ray differs from Lancer is not an error, but the user must know it.
 void show_reservations(const reference::ExportResult& result, const Scene& scene,
                        const Session& session) {
     std::vector<Diagnostic> found;
@@ -72,7 +72,7 @@ void show_reservations(const reference::ExportResult& result, const Scene& scene
     session.terminal.show(std::move(found), session.sources);
 }
 
-/// A file that somebody else wrote, or changed, is not replaced unless that is asked for.
+/// A file that somebody else wrote or changed is replaced only with --force.
 void check_own(const ExportJob& job, const std::string& path) {
     std::error_code ignored;
     if (job.force || io::is_stream(path) || !fs::exists(path, ignored)) return;

@@ -9,7 +9,7 @@
 namespace lancer::cli {
 namespace {
 
-/// What nobody expected.
+/// An exception that nothing in the program expects.
 ExitCode bug(const Session& session, const std::string& what) {
     session.terminal.error("this is a bug in lancer: " + what);
     session.terminal.line("    please report it, with the scene and the command line");

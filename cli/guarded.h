@@ -1,4 +1,4 @@
-// Everything that can go wrong in a run ends here, as a message and an exit code.
+// Turns every failure of a run into a message and an exit code.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,9 @@
 
 namespace lancer::cli {
 
-/// The exit code of `run`, or of what it throws, which is told on standard error. Standard output
-/// is complete afterwards, or the exit code is that of files.
+/// Returns the exit code of `run`, or of the exception that it throws, which is shown on standard
+/// error. Afterwards standard output is complete; if it could not be written, the exit code is that
+/// of files.
 ExitCode guarded(Session& session, const std::function<ExitCode()>& run);
 
 }  // namespace lancer::cli

@@ -1,4 +1,4 @@
-// What help and manual pages say of all commands alike.
+// The text that is common to help and manual pages of all commands.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ struct HelpWord {
 std::span<const HelpWord> exit_code_words();
 std::span<const HelpWord> environment_words();
 
-/// As they stand below `lancer --help`.
+/// The text at the end of `lancer --help`.
 std::string general_help();
 
 }  // namespace lancer::cli

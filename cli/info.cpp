@@ -41,7 +41,7 @@ std::string projection_of(const Camera& camera) {
                        std::get<OrthographicProjection>(camera.projection).height);
 }
 
-/// What is done before the first ray, in seconds: each part of a picture takes it.
+/// The cost in seconds before the first ray. Each part of a picture repeats it.
 struct FixedCost {
     double parse = 0;
     double evaluate = 0;
@@ -138,7 +138,7 @@ std::string to_json(const std::string& path, const Scene& scene, const SceneSumm
                                     {"by", r.by},
                                     {"place", r.place}});
     }
-    // A scene's names need not be UTF-8 when they come from the command line.
+    // Names in a scene may come from the command line, so they need not be UTF-8.
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

@@ -13,11 +13,11 @@
 namespace lancer::cli {
 namespace {
 
-constexpr int exit_code_of_signals = 128;  // plus the signal's number, as shells have it
+constexpr int exit_code_of_signals = 128;  // plus the signal's number, as in shells
 
-/// A process of its own that waits for the end of this one, and of POV-Ray, which dies with it, and
-/// then removes the folder. After a fork in a signal handler only calls that are safe there are
-/// left, so that removing is the business of `rm`.
+/// Starts a process that waits until this one has ended, and POV-Ray with it, and then removes the
+/// folder. After a fork in a signal handler only async-signal-safe calls are allowed, so `rm` does
+/// the removing.
 void sweep_after_the_end(char* folder) {
     const pid_t parent = getpid();
     if (fork() != 0) return;
@@ -32,7 +32,7 @@ void sweep_after_the_end(char* folder) {
 }
 
 extern "C" void end_process(int signal_number) {
-    // Only what is safe in a signal handler. A progress bar may stand on the line.
+    // Only async-signal-safe calls. The line feed ends a line that may hold a progress bar.
     io::remove_temporary_files();
     if (isatty(STDERR_FILENO) == 1) [[maybe_unused]]
         const auto written = write(STDERR_FILENO, "\n", 1);
@@ -49,7 +49,7 @@ void end_on_interrupt() {
     for (const int signal_number : {SIGINT, SIGTERM}) {
         struct sigaction before {};
         sigaction(signal_number, nullptr, &before);
-        // A caller that ignores the signal (nohup, a shell's background job) has its reasons.
+        // If the caller ignores the signal (nohup, a shell's background job), it stays ignored.
         if (before.sa_handler != SIG_IGN) sigaction(signal_number, &action, nullptr);
     }
 }
@@ -59,9 +59,9 @@ void keep_on_broken_output() {
 }
 
 void open_missing_streams() {
-    // The lowest free number is taken, so that each is opened before the next is looked at. The
-    // wrong way round: reading from 0 and writing to the others is to fail. /dev/full, so that it
-    // fails by the name /dev/stdout as well.
+    // open() takes the lowest free number, so each stream is opened before the next is checked. The
+    // modes are reversed on purpose: reading from 0 and writing to 1 and 2 must fail. /dev/full
+    // also makes a write through the name /dev/stdout fail.
     if (fcntl(STDIN_FILENO, F_GETFD) < 0) [[maybe_unused]]
         const int input = open("/dev/null", O_WRONLY);
     for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {

@@ -38,7 +38,7 @@ class Parts {
 
     const io::PartHead& head() const { return first_->head(); }
 
-    /// The numbers that are not there, as in "2, 5 to 7".
+    /// The missing numbers, as in "2, 5 to 7".
     std::string missing() const {
         std::string text;
         const int count = head().count;
@@ -53,7 +53,8 @@ class Parts {
         return text;
     }
 
-    /// What the parts together say of the picture's error; nothing where none was asked for.
+    /// The error of the whole picture from those of the parts; nothing when the parts were drawn
+    /// without a target.
     std::optional<accuracy::ErrorReport> report() const {
         if (head().note.empty()) return std::nullopt;
         std::vector<accuracy::ErrorSums> sums;
@@ -70,7 +71,7 @@ class Parts {
         return accuracy::joined_report(sums);
     }
 
-    /// The next row of the picture.
+    /// Reads the next row of the picture.
     void next(double* pixels) {
         if (row_ == 0) begin();
         const int number = owners_[static_cast<std::size_t>(row_)];
@@ -113,7 +114,7 @@ class Parts {
         at(head.number) = std::move(part);
     }
 
-    /// Whose each row is.
+    /// Finds the part of each row.
     void begin() {
         owners_.resize(static_cast<std::size_t>(head().height));
         for (const auto& part : readers_)

@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t large_page = std::size_t(1) << 21;
 
 #ifdef __GLIBC__
-/// A large block goes back to the system as soon as it is freed. The library's own limit for that
-/// grows with each block that is freed: a scene with a million triangles then took 30 MB more.
-/// Fixing it fixes the limit for giving back the rest, too, which would be smaller than many
-/// blocks.
+/// Gives a large block back to the system as soon as it is freed. By default the allocator raises
+/// this threshold with each freed block: a scene with a million triangles then took 30 MB more.
+/// Setting it also fixes the threshold for trimming the heap, which would be smaller than many
+/// blocks, so that one is set as well.
 [[maybe_unused]] const bool limits_are_fixed =
     mallopt(M_MMAP_THRESHOLD, large_page) != 0 && mallopt(M_TRIM_THRESHOLD, 2 * large_page) != 0;
 #endif
@@ -42,7 +42,7 @@ void* allocate(std::size_t bytes) {
 
 }  // namespace
 
-// The standard library's other forms, but for those with an alignment, call these.
+// The other forms of operator new, except those with an alignment, call these.
 void* operator new(std::size_t bytes) {
     for (;;) {
         if (void* block = allocate(bytes)) return block;

@@ -1,4 +1,4 @@
-// The command line: its first word is a command, and the rest is for that one.
+// The command line: its first word is a command, the rest belongs to that command.
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace lancer::cli {
 namespace {
 
-/// The command line's first word, when it is no command.
+/// Reports a first word that is not a command.
 void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
     const std::string word = argc > 1 ? argv[1] : "";
     if (word.starts_with("-")) return;
@@ -32,7 +32,7 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
         ": expected one of " + names);
 }
 
-/// What other renderers call an option that a command has by another name; empty: nothing known.
+/// A hint for an option's name from other renderers; empty when there is none.
 std::string habit_hint(const CLI::App& command, std::string word) {
     struct Habit {
         const char* word;
@@ -57,12 +57,12 @@ std::string habit_hint(const CLI::App& command, std::string word) {
     return {};
 }
 
-/// About the first argument that the command has no use for.
+/// A message about the first argument that the command does not take.
 std::string unexpected_argument(const CLI::App& app, const std::string& otherwise) {
     for (const CLI::App* command : app.get_subcommands()) {
         const std::vector<std::string> rest = command->remaining();
         if (rest.empty()) continue;
-        // What follows an unknown option may have been meant as its value.
+        // The word after an unknown option may be that option's value.
         const auto option = std::ranges::find_if(
             rest, [](const std::string& argument) { return argument.starts_with("-"); });
         if (option == rest.end()) return "unexpected argument '" + rest.front() + "'";
@@ -88,7 +88,7 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
         std::ostringstream text;
-        app.exit(help, text, text);  // what was asked for
+        app.exit(help, text, text);  // the requested help or version
         session.output.put(text.str());
         return ExitCode::done;
     } catch (const CLI::ExtrasError& error) {
@@ -102,12 +102,12 @@ ExitCode parse_and_run(int argc, char** argv, Session& session) {
 }  // namespace
 }  // namespace lancer::cli
 
-// Memory that runs out while an error is being reported ends the process as well as anything would.
+// If memory runs out while an error is being reported, ending the process is the best that is left.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
     using namespace lancer;
     using namespace lancer::cli;
-    // This program starts itself to work on pictures; nobody else has a use for that.
+    // The program starts itself with this word to work on pictures; the word is not for users.
     const bool asked_to_serve = argc == 2 && std::string_view(argv[1]) == io::picture_server_word;
     if (asked_to_serve && io::serve_pictures(STDIN_FILENO)) std::_Exit(0);
     open_missing_streams();

@@ -16,11 +16,11 @@ std::uint64_t available_memory(const std::vector<std::string>& bounds) {
     const auto pages = static_cast<std::uint64_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
     std::uint64_t bytes = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     for (const std::string& path : bounds) {
-        std::uint64_t bound = 0;  // "max" is no number
+        std::uint64_t bound = 0;  // "max" does not parse as a number
         if (std::ifstream(path) >> bound) bytes = std::min(bytes, bound);
     }
     for (const auto limit : {RLIMIT_AS, RLIMIT_DATA}) {
-        rlimit bound{};  // RLIM_INFINITY is the largest number there is
+        rlimit bound{};  // RLIM_INFINITY is the largest number
         if (getrlimit(limit, &bound) == 0)
             bytes = std::min(bytes, static_cast<std::uint64_t>(bound.rlim_cur));
     }
@@ -28,7 +28,7 @@ std::uint64_t available_memory(const std::vector<std::string>& bounds) {
 }
 
 std::uint64_t picture_bytes(std::int64_t width, std::int64_t height, int channels) {
-    // The picture itself in double, and what an encoder makes of it: float or less.
+    // The picture itself in double, and the encoder's copy in float or less.
     constexpr std::uint64_t bytes_per_value = sizeof(double) + sizeof(float);
     return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
            static_cast<std::uint64_t>(channels) * bytes_per_value;

@@ -1,4 +1,4 @@
-// Pictures that do not fit are refused before anything is allocated.
+// Refuses pictures that do not fit into memory before anything is allocated.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace lancer::cli {
 
-/// Of versions 2 and 1 of control groups.
+/// The files with the memory limits of control groups, versions 2 and 1.
 std::vector<std::string> control_group_bounds();
 
-/// Bytes that this process may hope for: the machine's memory, or what its control group or the
-/// shell's limits (ulimit) allow. The files hold a number of bytes each, or "max"; those that are
-/// missing count for nothing.
+/// The bytes that this process may use: the machine's memory, or less if its control group or the
+/// shell (ulimit) sets a limit. Each of the files `bounds` holds a number of bytes or "max";
+/// missing files are ignored.
 std::uint64_t available_memory(const std::vector<std::string>& bounds = control_group_bounds());
 
-/// Bytes that a picture takes while it is rendered and written.
+/// The bytes that a picture takes while it is rendered and written.
 std::uint64_t picture_bytes(std::int64_t width, std::int64_t height, int channels);
 
 }  // namespace lancer::cli

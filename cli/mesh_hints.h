@@ -8,7 +8,7 @@
 
 namespace lancer::cli {
 
-/// Meshes without normals that are smoothed over edges sharper than 60 degrees.
+/// Finds meshes without normals that are smoothed across edges sharper than 60 degrees.
 std::vector<Diagnostic> smoothed_edges(const Scene& scene);
 
 }  // namespace lancer::cli

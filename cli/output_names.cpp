@@ -88,7 +88,7 @@ std::string FrameNames::name(std::int64_t frame) const {
     const std::string sign = frame < 0 ? "-" : "";
     const std::size_t length = digits.size() + sign.size();
     const std::string padding(width_ > length ? width_ - length : 0, fill_);
-    // As printf: zeros stand after the sign, blanks before it.
+    // As in printf: zeros follow the sign, blanks precede it.
     digits = fill_ == '0' ? sign + padding + digits : padding + sign + digits;
     return before_ + digits + after_;
 }

@@ -33,8 +33,8 @@ struct PackJob {
     SceneOptions scene_options;
 };
 
-/// A folder's name for each scene: its file's, and where two are called alike that of its folder
-/// before it.
+/// The name of each scene's folder: the name of its file, preceded by its parent folder's name
+/// where two files have the same name.
 std::vector<std::string> names_of(const std::vector<std::string>& scenes) {
     std::vector<std::string> names;
     std::multiset<std::string> stems;
@@ -53,7 +53,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& scenes) {
     return names;
 }
 
-/// A folder that holds somebody's files stays as it is.
+/// Refuses a folder that holds other files than a pack.
 void check_folder(const std::string& folder) {
     std::error_code ignored;
     if (!fs::exists(folder, ignored)) return;
@@ -126,7 +126,7 @@ class Packer {
         return result;
     }
 
-    /// False where the scene is left out; the others are packed all the same.
+    /// False when the scene is left out; the other scenes are still packed.
     bool pack(const std::string& path, const std::string& name) {
         try {
             const auto probes = static_cast<std::size_t>(

@@ -1,4 +1,4 @@
-// One part of a picture: which strips of it this run draws.
+// One part of a picture: the strips that this run draws.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace lancer::cli {
 
-/// What the part says of itself. `by_error`: its samples are those that an error asks for. Throws
+/// The header of the part's file. `by_error`: its samples depend on a target error. Throws
 /// UsageError when the picture has fewer rows than parts.
 io::PartHead head_of(const PartOf& part, const View& view, const io::Origin& origin, bool by_error);
 
@@ -18,10 +18,10 @@ io::PartHead head_of(const PartOf& part, const View& view, const io::Origin& ori
 void draw_part(const Renderer& renderer, const View& view, const io::PartHead& head,
                const std::string& output, const Progress& progress, RayCounts& rays);
 
-/// The part's rows.
+/// The rows of the part.
 accuracy::PictureRows rows_of(const io::PartHead& head);
 
-/// Writes the part that is drawn already: its rows one below the other. Throws FileError.
+/// Writes a part that is already drawn; its rows are stacked without gaps. Throws FileError.
 void write_drawn(const Image& rows, const io::PartHead& head, const std::string& output);
 
 }  // namespace lancer::cli

@@ -1,4 +1,4 @@
-// How a picture file is written, and how much the work on it may cost.
+// Options for writing picture files, and limits on the work on them.
 #pragma once
 
 #include "model/io/image_file.h"
@@ -9,11 +9,10 @@ class App;
 
 namespace lancer::cli {
 
-/// For every command that reads or writes pictures. What stands on the command line holds from the
-/// moment it is read.
+/// Options for every command that reads or writes pictures. Each takes effect when it is parsed.
 void add_picture_options(CLI::App& app);
 
-/// --bits and --linear, for every command that writes one.
+/// --bits and --linear, for every command that writes a picture.
 void add_encoding_options(CLI::App& app, io::ImageWriteOptions& image);
 
 }  // namespace lancer::cli

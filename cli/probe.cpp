@@ -19,7 +19,7 @@
 namespace lancer::cli {
 namespace {
 
-/// Column and row from the top left corner, from 0.
+/// Column and row, counted from 0 at the top left corner.
 struct Pixel {
     int x = 0;
     int y = 0;
@@ -59,7 +59,7 @@ struct ProbeJob {
     SceneOptions scene_options;
 };
 
-/// What the command has found.
+/// The result of the command.
 struct Found {
     View view;
     std::string camera;
@@ -70,7 +70,7 @@ struct Found {
     RayTree tree;
 };
 
-/// The ray that is nearest to the middle of the pixel, the first of equals.
+/// The index of the ray nearest to the pixel's centre; the first one among equals.
 std::size_t middle_of(const std::vector<PicturePoint>& points, const Pixel& pixel) {
     const auto distance = [&](const PicturePoint& p) {
         return std::hypot(p.x - pixel.x - 0.5, p.y - pixel.y - 0.5);
@@ -116,7 +116,7 @@ std::string to_json(const ProbeJob& job, const Found& found, const Scene& scene,
                         {"min_contribution", scene.settings.min_contribution}};
     json["is_cut"] = found.tree.is_cut;
     json["rays"] = ray_tree_json(found.tree, scene, sources);
-    // A scene's names need not be UTF-8 when they come from the command line.
+    // Names in a scene may come from the command line, so they need not be UTF-8.
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

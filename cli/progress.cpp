@@ -13,7 +13,7 @@ constexpr auto between_drawings = std::chrono::milliseconds(100);
 constexpr int widest_bar = 30;
 constexpr int room_for_text = 40;
 
-/// What standard error does not take is lost.
+/// Text that standard error does not accept is lost.
 void put(const std::string& text) {
     std::fwrite(text.data(), 1, text.size(), stderr);
     std::fflush(stderr);
@@ -50,7 +50,7 @@ void ProgressBar::update(double share) {
     }
     text += fmt::format("{:3.0f} %", std::floor(done * 100));
     if (parts_ > 1) text += fmt::format(", picture {} of {}", part_ + 1, parts_);
-    // A guess from the first moments would only jump about.
+    // An estimate from the first moments would only jump.
     if (done > 0 && elapsed > 0.5)
         text += fmt::format(", {} left", as_clock_time(elapsed * (1 - done) / done));
 

@@ -1,4 +1,4 @@
-// The bar that shows how far a picture is.
+// The progress bar of a picture.
 #pragma once
 
 #include <chrono>
@@ -9,23 +9,23 @@
 
 namespace lancer::cli {
 
-/// One line on the terminal that is drawn over itself, and is gone when the object is. Draws
-/// nothing when nobody looks.
+/// One line on the terminal that is redrawn in place and removed by the destructor. Draws nothing
+/// when standard error is not a terminal, or when `quiet`.
 class ProgressBar {
   public:
-    /// \param parts how many pictures the whole consists of
+    /// \param parts the number of pictures
     ProgressBar(const Terminal& terminal, bool quiet, std::size_t parts);
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// Says that the next picture begins.
+    /// Begins the next picture.
     void begin_part(std::size_t part);
-    /// What is being done, shown behind the bar.
+    /// Sets the text behind the bar that says what is being done.
     void set_label(std::string label) { label_ = std::move(label); }
     /// \param share of the current picture, 0..1
     void update(double share);
-    /// Takes the bar off the screen, so that something else can be printed.
+    /// Removes the bar, so that something else can be printed.
     void clear();
 
   private:

@@ -1,4 +1,4 @@
-// What one ray did, as data.
+// The ray tree as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace lancer::cli {
 
-/// The list of the tree's rays; docs/command-line.md has the keys.
+/// The list of the tree's rays; docs/command-line.md describes the keys.
 nlohmann::ordered_json ray_tree_json(const RayTree& tree, const Scene& scene,
                                      const SourceMap& sources);
 

@@ -176,7 +176,7 @@ class RayTreeText {
                                 light.distance, light.cosine, outcome(light)));
         for (const RayTree::Loss& loss : light.losses) tell(loss, depth + 1);
     }
-    /// The colour that is sent here, and what `fade` and `spot` left of the light's own.
+    /// The colour that arrives, and the share of the light's colour that `fade` and `spot` left.
     std::string sent_words(const RayTree::Light& light) const {
         const Color& own = scene_.lights[light.light].color;
         const double whole = max_component(own);

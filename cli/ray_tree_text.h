@@ -1,4 +1,4 @@
-// What one ray did, in words.
+// The ray tree as text.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace lancer::cli {
 
-/// An indented line for each thing that happened; what follows from it stands below, further in.
+/// One line per event; events that follow from it stand below, indented further.
 ///
-/// \param scene  that the tree was traced in, with these settings
+/// \param scene  the scene in which the tree was traced, with the same settings
 std::string ray_tree_text(const RayTree& tree, const Scene& scene, const SourceMap& sources);
 
 }  // namespace lancer::cli

@@ -33,7 +33,7 @@ void check_error_options(const RenderJob& job) {
         throw UsageError(option + " uses Sobol points: remove --sampling grid");
 }
 
-/// Parts of a picture, and what is there already.
+/// Checks the options about parts and about existing files.
 void check_part_options(const RenderJob& job, const std::string& output) {
     if (job.resume) {
         if (job.error.seconds)

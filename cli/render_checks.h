@@ -1,4 +1,4 @@
-// What can be said of a render job before its scene is read.
+// Checks a render job as far as possible before its scene is read.
 #pragma once
 
 #include <string>

@@ -21,8 +21,8 @@
 namespace lancer::cli {
 namespace {
 
-/// Names of frames that are looked at before the work begins; those of an endless animation come
-/// one by one.
+/// Frame names are checked before the work begins, up to this number; a longer animation checks
+/// each name when its turn comes.
 constexpr std::uint64_t most_frames_known = 100'000;
 
 class Rendering {
@@ -33,9 +33,9 @@ class Rendering {
           loader_(job.scene, job.scene_options, session),
           progress_(session.terminal, job.quiet, frame_count(job)) {}
 
-    /// One picture, from the script to the file.
+    /// Makes one picture, from the script to the file.
     void render(double frame, double time, const std::string& output) {
-        // What came before the first picture counts for it.
+        // The time before the first picture belongs to that picture.
         const Stopwatch begun = statistics_.frames == 0 ? watch_ : Stopwatch();
         progress_.clear();  // the script may print
         Scene scene = loader_.load(frame, time);
@@ -84,7 +84,7 @@ class Rendering {
     std::uint64_t drawn() const { return statistics_.frames; }
     std::uint64_t kept() const { return pictures_ - statistics_.frames; }
 
-    /// Statistics and the closing line.
+    /// Writes the statistics and the closing line.
     void finish(const std::string& what) {
         progress_.clear();
         statistics_.parse = loader_.parse_seconds();
@@ -106,7 +106,7 @@ class Rendering {
         }
     }
 
-    /// A part may err by more than was asked for: `join` tells whether the picture does.
+    /// A part may have a larger error than the target: only `join` knows the error of the picture.
     ExitCode code() const {
         const bool missed = statistics_.error && !is_part() && !statistics_.error->is_reached();
         return missed || late_ ? ExitCode::differs : ExitCode::done;
@@ -119,7 +119,7 @@ class Rendering {
         return [this](double share) { progress_.update(share); };
     }
 
-    /// Whether what is there already is what would be drawn. If not, says why.
+    /// Whether the existing file is what this run would draw. Otherwise says why it is not.
     bool is_kept(const std::string& output, const io::Origin& origin,
                  const std::optional<io::PartHead>& head) {
         const Found found = head ? found_part(output, *head) : found_picture(output, origin);
@@ -141,12 +141,13 @@ class Rendering {
 
     void count(const Scene& scene, const Renderer& renderer, double seconds,
                const RayCounts& rays) {
-        statistics_.count(scene, renderer.counts());  // after: patches are cut when rays ask
+        // at the end, because rays cut patches on demand
+        statistics_.count(scene, renderer.counts());
         statistics_.trace += seconds;
         statistics_.add(rays);
     }
 
-    /// With the samples that the settings say.
+    /// Renders with the number of samples from the settings.
     Image image_as_set(Scene& scene, const View& view) {
         const std::unique_ptr<Renderer> renderer = built(scene);
         const Stopwatch watch;
@@ -162,7 +163,7 @@ class Rendering {
         return image;
     }
 
-    /// The same for one part, which is written strip by strip.
+    /// The same for one part, written strip by strip.
     void part_as_set(Scene& scene, const View& view, const io::PartHead& head,
                      const std::string& output) {
         const std::unique_ptr<Renderer> renderer = built(scene);
@@ -172,7 +173,7 @@ class Rendering {
         count(scene, *renderer, watch.seconds(), rays);
     }
 
-    /// The same with the samples that an error asks for.
+    /// The same for one part with a target error.
     void part_by_error(const Scene& scene, const View& view, io::PartHead head,
                        const std::string& output, const Stopwatch& begun) {
         const ErrorRun run = run_by_error(scene, view, rows_of(head), output, begun);
@@ -182,7 +183,7 @@ class Rendering {
         statistics_.write += watch.seconds();
     }
 
-    /// With the samples that an error asks for, or that there is time for.
+    /// Renders with a target error, or within a time.
     ErrorRun run_by_error(const Scene& scene, const View& view,
                           const std::optional<accuracy::PictureRows>& rows,
                           const std::string& output, const Stopwatch& begun) {
@@ -214,7 +215,7 @@ class Rendering {
         return run;
     }
 
-    /// The file is a whole picture early, and a better one later. A stream gets the last alone.
+    /// Writes a whole picture early and better ones later. A stream gets only the last.
     void show(const Image& image, const View& view, const std::string& output,
               const Stopwatch& begun) {
         if (job_.error.seconds)

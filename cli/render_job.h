@@ -1,4 +1,4 @@
-// `render` as a plan: what to make of a scene, checked as far as possible before the scene is read.
+// The plan of a `render` command, checked as far as possible before the scene is read.
 #pragma once
 
 #include <optional>
@@ -38,8 +38,8 @@ struct RenderJob {
     ErrorOptions error;
 };
 
-/// Renders all pictures and writes them. ExitCode::differs when one has not the error that was
-/// asked for. Throws UsageError, SceneRejected, SceneError, FileError.
+/// Renders and writes all pictures. Returns ExitCode::differs when a picture misses its target
+/// error or time. Throws UsageError, SceneRejected, SceneError, FileError.
 ExitCode run(const RenderJob& job, Session& session);
 
 }  // namespace lancer::cli

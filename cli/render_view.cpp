@@ -10,13 +10,13 @@
 namespace lancer::cli {
 namespace {
 
-constexpr int preview_step = 4;  // pixels of the picture for one of the preview, on each side
+constexpr int preview_step = 4;  // pixels per pixel of the preview, on each side
 
 int in_preview(int pixels) {
     return (pixels + preview_step - 1) / preview_step;
 }
 
-/// A crop keeps the pixels of the smaller picture that show some of it.
+/// The new crop keeps each pixel of the smaller picture that contains a part of the old crop.
 void make_coarser(View& view) {
     view.width = in_preview(view.width);
     view.height = in_preview(view.height);
@@ -44,11 +44,11 @@ View view_of(const RenderJob& job, const Scene& scene, const Session& session) {
     if (job.preview) make_coarser(view);
     const int width = view.crop ? view.crop->width : view.width;
     int height = view.crop ? view.crop->height : view.height;
-    constexpr int most_strip_rows = 16;  // of a part, which is never held as a whole
+    constexpr int most_strip_rows = 16;  // a part is written in strips, never held as a whole
     if (job.part && !job.frames)
         height = job.error.any() ? (height + job.part->count - 1) / job.part->count
                                  : std::min(height, most_strip_rows);
-    constexpr int sampled = 20;  // sums, scores and predictions, counted as channels
+    constexpr int sampled = 20;  // sums, scores and predictions, as a number of channels
     const int channels = (job.aov ? 9 : 3) + (job.alpha ? 1 : 0) + (job.error.any() ? sampled : 0);
     const std::uint64_t needed = picture_bytes(width, height, channels);
     if (needed > available_memory()) {

@@ -1,4 +1,4 @@
-// --resume: what is there already is taken, when it is whole and what this run would draw.
+// --resume: keeps existing files that are complete and are what this run would draw.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace lancer::cli {
 
-/// What a run finds at the name of a picture or part that it would draw.
+/// What a run finds under the name of a picture or part that it would draw.
 struct Found {
     bool is_kept = false;
-    std::string reason;  ///< why it is drawn again; empty where there is nothing yet
+    std::string reason;  ///< why it is drawn again; empty when no file exists
 };
 
 Found found_picture(const std::string& path, const io::Origin& wanted);

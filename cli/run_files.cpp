@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// /dev/null, which takes any number of outputs.
+/// Whether this is /dev/null, which may receive any number of outputs.
 bool is_null_device(const std::string& path) {
     struct stat status {};
     const int failed = path == "-" ? fstat(STDOUT_FILENO, &status) : stat(path.c_str(), &status);
@@ -65,7 +65,7 @@ void RunFiles::check_folder(const std::string& folder, const std::string& path) 
     writable_folders_.insert(folder);
 }
 
-/// Finds out now, not after an hour of tracing.
+/// Fails now and not after an hour of tracing.
 void RunFiles::check_writable(const std::string& path) {
     std::error_code ignored;
     if (path == "-" || (io::is_stream(path) && fs::exists(path, ignored))) return;
@@ -100,7 +100,7 @@ void RunFiles::add_output_in_new_folder(const std::string& path, const std::stri
     std::error_code ignored;
     fs::path folder = folder_of(path);
     if (fs::exists(folder, ignored)) return check_writable(path);
-    while (!fs::exists(folder, ignored)) folder = folder_of(folder);  // "." and "/" are there
+    while (!fs::exists(folder, ignored)) folder = folder_of(folder);  // "." and "/" always exist
     check_folder(folder, path);
 }
 

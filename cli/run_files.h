@@ -1,5 +1,4 @@
-// All that a run reads and all that it writes, in one place, so that nothing which is read is
-// written over, and no output over another.
+// All inputs and outputs of a run, so that no output replaces an input or another output.
 #pragma once
 
 #include <map>
@@ -10,19 +9,20 @@ namespace lancer::cli {
 
 class RunFiles {
   public:
-    /// Knows standard output where it is an ordinary file (`> name`).
+    /// Records standard output when it is an ordinary file (`> name`).
     RunFiles();
 
-    /// A file that is about to be read; `-` is standard input. Throws UsageError when an output
-    /// would be written over it.
+    /// Adds a file that is about to be read; `-` is standard input. Throws UsageError when an
+    /// output would replace it.
     void add_input(const std::string& path);
 
-    /// A file that will be written, and what asks for it, as in "--json"; `-` is standard output,
-    /// an empty name no file at all. Throws UsageError when it is an input or another option's
-    /// output, and FileError when it cannot be written. To be called before the work begins.
+    /// Adds a file that will be written, and the option that asks for it, such as "--json"; `-` is
+    /// standard output, an empty name is no file. Throws UsageError when the file is an input or
+    /// another option's output, and FileError when it cannot be written. To be called before the
+    /// work begins.
     void add_output(const std::string& path, const std::string& option);
 
-    /// The same for a file in a folder that is made when it is missing.
+    /// The same for a file in a folder that is created when it is missing.
     void add_output_in_new_folder(const std::string& path, const std::string& option);
 
     /// Whether one of the outputs is standard output.

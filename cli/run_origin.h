@@ -1,4 +1,4 @@
-// What the pictures of a run are made from, as their files tell it.
+// The origin of a run's pictures, which their files record.
 #pragma once
 
 #include "cli/render_job.h"
@@ -7,12 +7,13 @@
 
 namespace lancer::cli {
 
-/// Every setting that decides pixels, in words.
+/// Every setting that decides pixels, as text.
 std::string text_of(const Settings& settings);
 
-/// One picture of a job: all that decides its pixels. Threads and rays side by side do not.
+/// The origin of one picture of a job: all that decides its pixels. The numbers of threads and of
+/// rays side by side are not part of it.
 ///
-/// \param settings  those in use, the command line's word included
+/// \param settings  the settings in use, including those of the command line
 io::Origin origin_of(const RenderJob& job, SceneLoader& loader, const Scene& scene,
                      const Settings& settings, const View& view, double frame, double time);
 

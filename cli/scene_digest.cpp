@@ -9,8 +9,8 @@
 namespace lancer::cli {
 namespace {
 
-/// Every struct is taken apart by a structured binding, here or in fields(), which names all
-/// members: one that is added does not compile until it is told here.
+/// Structured bindings, here or in fields(), take every struct apart and name all its members: a
+/// new member does not compile until it is added to the digest.
 class SceneDigest {
   public:
     std::string digits() {

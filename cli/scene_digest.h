@@ -1,5 +1,5 @@
-// What a scene shows, as a digest: scenes whose scripts differ only in words, in order of
-// computing or in comments have the same.
+// A digest of what a scene shows. It is equal for scripts that differ only in names, comments or
+// the order of computations.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace lancer::cli {
 
-/// Digest of all in the scene that pixels may depend on but its settings. Places in the script and
-/// names do not count. Throws what `file` throws.
+/// The digest of everything in the scene that pixels may depend on, except its settings. Places in
+/// the script and names are ignored. Passes on what `file` throws.
 ///
-/// \param file  digest of the image file that a path names
+/// \param file  returns the digest of the image file with this path
 std::string scene_digest(const Scene& scene,
                          const std::function<std::string(const std::string& path)>& file);
 

@@ -18,7 +18,8 @@
 namespace lancer::cli {
 namespace {
 
-/// More than any limit on scripts asks for, and small enough that /dev/zero cannot eat the machine.
+/// More than any limit on scripts, and small enough that reading /dev/zero does not fill the
+/// memory.
 std::size_t most_bytes_read(const Limits& limits) {
     constexpr std::uint64_t least = std::uint64_t(1) << 30;
     return static_cast<std::size_t>(std::max(least, limits.source_bytes + 1));
@@ -30,7 +31,7 @@ std::string without_blanks(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Reads from disk, and tells `note` what is read.
+/// Reads from disk, and calls `note` with the path of each file.
 Loader noting_loader(const std::function<void(const std::string& path)>& note) {
     const Loader disk = disk_loader();
     return {[note, disk](const std::string& path, std::size_t limit) {
@@ -126,11 +127,11 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     evaluate_seconds_ += watch.seconds();
 
     for (const std::string& text : evaluation.printed) session_.terminal.line(text);
-    // A wrong -D makes errors of its own in the scene. After a syntax error, though, it may be
-    // wrong only because its param could not be read.
+    // A wrong -D causes further errors in the scene, so it is reported alone. But after a syntax
+    // error, it may be wrong only because the declaration of its param could not be parsed.
     if (!evaluation.usage_errors.empty() && syntax_errors_.empty()) {
         const Diagnostic& first = evaluation.usage_errors.front();
-        // The text of `-D name=value` is a source of its own, called `-D name`.
+        // The text of `-D name=value` is a source called `-D name`.
         const bool in_value = first.where.file != SourceSpan::nowhere;
         throw UsageError(fmt::format("{}{}{}{}",
                                      in_value ? session_.sources.name(first.where.file) + ": " : "",
@@ -162,7 +163,7 @@ void SceneLoader::show_new(std::vector<Diagnostic> found) {
         return diagnostic.severity == Severity::warning &&
                !shown_.insert(format(diagnostic, session_.sources)).second;
     });
-    // The evaluator keeps the text of `-D name=value` as a source of its own, called `-D name`.
+    // The text of `-D name=value` is a source called `-D name`.
     const bool is_wrong_use = std::any_of(found.begin(), found.end(), [this](const Diagnostic& d) {
         return d.severity == Severity::error && d.where.file != SourceSpan::nowhere &&
                session_.sources.name(d.where.file).starts_with("-D ");

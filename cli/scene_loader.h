@@ -1,4 +1,4 @@
-// A scene file on its way to a Scene: read and parsed once, evaluated once per frame.
+// Loads a scene file: reads and parses it once, and evaluates it once per frame.
 #pragma once
 
 #include <map>
@@ -27,27 +27,26 @@ void add_scene_options(CLI::App& app, SceneOptions& options);
 class SceneLoader {
   public:
     /// Reads the file at `path` (`-`: standard input). Throws FileError, and UsageError when an
-    /// output of the run would be written over it. Nothing is shown yet.
+    /// output of the run would replace it. Shows no diagnostics yet.
     SceneLoader(const std::string& path, const SceneOptions& options, Session& session);
 
-    /// The scene of one frame, as the script has it. Shows what `print` says, and every diagnostic
-    /// that has not been shown before. Throws SceneRejected when there are errors, and UsageError
-    /// when -D names a param that is not there, or when an output of the run would be written over
-    /// a file that the scene reads.
+    /// The scene of one frame. Shows the output of `print`, and every diagnostic that was not shown
+    /// before. Throws SceneRejected when there are errors, and UsageError when -D names an unknown
+    /// param or when an output of the run would replace a file that the scene reads.
     Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
-    /// Digest of all that was read for the scenes loaded so far, names not counted, and of the
-    /// definitions: equal ones make equal scenes. After load(), which reads each file once: its
-    /// bytes count as they were then. Throws FileError.
+    /// Digest of the definitions and of the contents of all files that were read for the scenes
+    /// loaded so far; file names do not count. Equal digests mean equal scenes. To be called after
+    /// load(), which reads each file once: the bytes of that moment count. Throws FileError.
     std::string content();
 
-    /// Digest of what this scene, which load() gave, shows: scenes that a changed script makes
-    /// alike have the same. Images count by their files, which each are read once more. Throws
-    /// FileError.
+    /// Digest of what `scene`, a result of load(), shows: equal for scenes that are equal although
+    /// their scripts differ. Images count by the contents of their files, which are read once more.
+    /// Throws FileError.
     std::string digest_of(const Scene& scene);
 
     double parse_seconds() const { return parse_seconds_; }
-    /// Of all evaluations up to now.
+    /// Total of all evaluations so far.
     double evaluate_seconds() const { return evaluate_seconds_; }
 
   private:
@@ -64,11 +63,11 @@ class SceneLoader {
     double evaluate_seconds_ = 0;
 };
 
-/// The camera of this name, the first for an empty name. Throws UsageError when no camera is called
-/// so; without any camera shows that error and throws SceneRejected.
+/// The index of the camera with this name; the first camera for an empty name. Throws UsageError
+/// when there is no such camera. Without any camera, shows that error and throws SceneRejected.
 std::size_t pick_camera(const Scene& scene, const std::string& name, const Session& session);
 
-/// What is not wrong but seldom meant: no camera, no light.
+/// Warnings about a scene that is valid but seldom meant: no camera, no light.
 std::vector<Diagnostic> missing_parts(const Scene& scene);
 
 }  // namespace lancer::cli

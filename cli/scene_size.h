@@ -1,4 +1,4 @@
-// The size of pictures that are made for their numbers: small, in the scene's proportions.
+// The size of pictures that serve measurements only: small, in the scene's proportions.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace lancer::cli {
 
-/// `asked`, else `width` pixels wide, in the scene's own proportions.
+/// Returns `asked` if given; otherwise a size of `width` pixels in the scene's proportions.
 PictureSize size_or(const std::optional<PictureSize>& asked, const Scene& scene, int width);
 
 }  // namespace lancer::cli

@@ -22,7 +22,7 @@ class Counter {
         count.kind = name;
         ++count.number;
     }
-    /// Of the kinds that occur.
+    /// The kinds that occur.
     std::vector<Count> found() const {
         std::vector<Count> found;
         for (const Count& count : counts_)
@@ -34,7 +34,7 @@ class Counter {
     std::array<Count, std::variant_size_v<Kinds>> counts_{};
 };
 
-/// Who asks: a shape with its name and its material's, or a light.
+/// Describes what asks for a feature: a shape with its name and its material's name, or a light.
 std::string describe_demand(const Scene& scene, const Demand& demand) {
     if (demand.object == none) return "light";
     const Object& object = scene.objects[demand.object];

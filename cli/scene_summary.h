@@ -1,4 +1,4 @@
-// What a scene holds, counted, and what it requires of the renderer: for `info`.
+// For `info`: counts the contents of a scene, and lists the features that it requires.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace lancer::cli {
 
-/// A kind of thing and how many there are.
+/// A kind of object and the number of its instances.
 struct Count {
     std::string_view kind;
     std::uint64_t number = 0;
 };
 
-/// A feature, and the first that asks for it.
+/// A required feature, and the first object that asks for it.
 struct Requirement {
     Feature feature{};
     std::string by;     ///< `sphere "ball", material glass`

@@ -1,4 +1,4 @@
-// What the parts of a scene are called, for people.
+// Descriptions of a scene's parts for messages.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ namespace lancer::cli {
 /// `sphere "ball"`
 std::string describe(const Scene& scene, const Object& object);
 
-/// Empty where the script gives it none.
+/// Empty when the script gives the material no name.
 std::string material_name(const Scene& scene, std::uint32_t material);
 
-/// `file:line:column`; empty for what is not from a script.
+/// `file:line:column`; empty for a place that is not in a script.
 std::string describe_place(const SourceSpan& place, const SourceMap& sources);
 
 }  // namespace lancer::cli

@@ -1,5 +1,5 @@
-// What all commands share: the texts and files of the run, where words go, and how a command ends
-// early.
+// The state that all commands share: texts and files of the run, its output, and exceptions that
+// end a command early.
 #pragma once
 
 #include <exception>
@@ -14,26 +14,26 @@
 
 namespace lancer::cli {
 
-/// Lives as long as the process; errors that surface in main() are shown with its `sources`.
+/// Lives as long as the process; main() needs its `sources` to show errors.
 struct Session {
     SourceMap sources;
     Terminal terminal;
     StandardOutput output;
     RunFiles files;
 
-    /// A file that the run will write, as RunFiles::add_output has it; `-` claims standard output.
+    /// Registers a file that the run will write, as RunFiles::add_output does; `-` reserves
+    /// standard output.
     void will_write(const std::string& path, const std::string& option);
-    /// Writes a result: to standard output when `path` is `-`, and not at all when it is empty.
+    /// Writes a result: to standard output when `path` is `-`; nothing when it is empty.
     void write(const std::string& path, const std::string& bytes);
 };
 
-/// The command line asks for something that is not to be had: exit code 2.
+/// The command line asks for something impossible: exit code 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The scene, or a value that the command line gives to one of its params, has errors, and they
-/// have been shown.
+/// The scene, or a value that the command line gives to a param, has errors. They have been shown.
 struct SceneRejected : std::exception {
     explicit SceneRejected(ExitCode why) : code(why) {}
     ExitCode code;

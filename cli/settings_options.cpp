@@ -15,7 +15,7 @@ constexpr std::int64_t most_threads = 1024;
 constexpr std::int64_t deepest = 1000;
 constexpr std::int64_t most_samples = 1000;  // per axis
 
-/// The names of `values`, in their order.
+/// The names of `values`, in order.
 template <class Values>
 std::vector<std::string> names_of(const Values& values) {
     std::vector<std::string> names;

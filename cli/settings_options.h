@@ -1,4 +1,4 @@
-// The options that take the place of a script's `render { … }`.
+// The options that override a script's `render { … }`.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct SettingsOptions {
     bool no_smooth = false;
     bool no_textures = false;
 
-    /// The command line wins. `threads` is never 0 in the result.
+    /// Options of the command line replace `settings`. In the result `threads` is never 0.
     void apply_to(Settings& settings) const;
 };
 

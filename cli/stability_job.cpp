@@ -22,8 +22,8 @@ using judge::StabilityReport;
 using judge::Trial;
 using judge::Window;
 
-/// What to try: all changes or those of --try, as far as is usual or asked for; and what is
-/// demanded.
+/// The changes to try: all, or those of --try, over the usual or the given range; and those of
+/// --require.
 std::vector<Trial> trials_of(const StabilityJob& job, const Scene& scene, std::uint32_t camera) {
     std::vector<Trial> trials;
     const auto trial_of = [&](Change change) -> Trial& {

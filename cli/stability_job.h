@@ -1,4 +1,4 @@
-// What `lancer stability` was asked for, and its run.
+// The options of `lancer stability`, and its run.
 #pragma once
 
 #include <optional>

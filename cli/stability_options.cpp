@@ -13,7 +13,7 @@ namespace {
 
 using judge::Change;
 
-/// As far as doubles reach, with room for the scene's own size.
+/// The range of doubles, with room for the scene's own size.
 constexpr int most_decades = 300;
 constexpr int most_doublings = 1000;
 
@@ -31,7 +31,7 @@ Change parse_change(const std::string& word) {
         fmt::format("'{}' is not a change of a scene: expected one of {}", word, names));
 }
 
-/// The exponent of `base` that gives this number; a fraction where none does.
+/// The exponent of `base` whose power is this number; it need not be a whole number.
 double exponent_of(const std::string& text, int base) {
     const std::size_t power = text.find('^');
     if (power != std::string::npos) {
@@ -45,7 +45,7 @@ double exponent_of(const std::string& text, int base) {
     const double value = parse_number(text);
     if (!(value > 0)) throw UsageError(fmt::format("'{}' must be greater than 0", text));
     const double exponent = base == 2 ? std::log2(value) : std::log10(value);
-    // A whole exponent as it is written, whatever the logarithm's last digit.
+    // A whole exponent is exact, whatever the last digit of the logarithm.
     const double whole = std::round(exponent);
     return std::abs(exponent - whole) < 1e-9 ? whole : exponent;
 }

@@ -1,4 +1,4 @@
-// Standard output: results, and the text for people where no result claims it for itself.
+// Standard output: it carries results, or text for people when no result needs it.
 #pragma once
 
 #include <string_view>
@@ -7,18 +7,19 @@ namespace lancer::cli {
 
 class StandardOutput {
   public:
-    /// From now on only results go to standard output, and what is said to standard error.
+    /// From now on only results go to standard output; text for people goes to standard error.
     void reserve() { reserved_ = true; }
 
-    /// A result. Throws FileError when it cannot be written.
+    /// Writes a result. Throws FileError when that fails.
     void put(std::string_view text);
 
-    /// Text for people: a table's row, a closing line. It is seen at once. Throws FileError when
-    /// standard output cannot be written; what standard error does not take is lost.
+    /// Writes text for people, such as a row of a table or a closing line, and flushes it. Throws
+    /// FileError when standard output cannot be written; text that standard error does not accept
+    /// is lost.
     void say(std::string_view text);
 
-    /// To be called at the end of the program, for what the system has not been given yet. Throws
-    /// FileError, unless another call has done so before.
+    /// To be called at the end of the program: flushes what is left. Throws FileError, unless
+    /// another call has already done so.
     void finish();
 
   private:

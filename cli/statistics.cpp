@@ -32,7 +32,7 @@ nlohmann::ordered_json off_json(const accuracy::OffReport& off, bool audited) {
             {"predicted", off.predicted}};
 }
 
-/// What is not told is null.
+/// Values that are not told are null.
 nlohmann::ordered_json error_json(const accuracy::ErrorReport& r) {
     const auto if_told = [&](double value) {
         return r.is_told ? nlohmann::ordered_json(value) : nlohmann::ordered_json();

@@ -1,4 +1,4 @@
-// What a run cost: --stats.
+// The cost of a run: --stats.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace lancer::cli {
 
-/// Seconds are wall-clock and, like the rays, summed over all frames; counts are those of the last.
+/// Seconds are wall-clock. Seconds and rays are summed over all frames; counts are those of the
+/// last frame.
 struct Statistics {
     double parse = 0;
     double evaluate = 0;
@@ -32,14 +33,14 @@ struct Statistics {
 
     std::optional<accuracy::CutBound> cut;  ///< the largest of any frame
 
-    /// Keeps the report unless the one that is there is worse.
+    /// Keeps the report with the larger error.
     void keep_worse(const accuracy::ErrorReport& report);
     void keep_larger(const accuracy::CutBound& bound);
     void add(const RayCounts& counts);
     void count(const Scene& scene, const WorldCounts& counts);
 };
 
-/// The most memory that the process has held so far.
+/// The largest amount of memory that the process has held so far.
 std::uint64_t peak_memory_bytes();
 
 /// The JSON object that docs/command-line.md describes, with a line feed at its end.

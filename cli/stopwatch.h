@@ -1,4 +1,4 @@
-// Seconds by the wall clock.
+// Measures seconds of wall-clock time.
 #pragma once
 
 #include <chrono>

@@ -12,7 +12,7 @@
 namespace lancer::cli {
 namespace {
 
-/// Finds out now, not after an hour: elsewhere a cache that cannot be written merely costs time.
+/// Fails now and not after an hour. Other commands only lose time when the cache cannot be written.
 void check_writable(const std::string& cache) {
     std::error_code error;
     std::filesystem::create_directories(cache, error);

@@ -29,7 +29,7 @@ void put(std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-/// `place: error: message`, coloured; any other line as it is.
+/// Colours `place: error: message`; leaves any other line as it is.
 std::string color_heading(std::string_view line) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kinds{{
         {": error: ", "\033[1;31m"},
@@ -85,7 +85,7 @@ std::size_t Terminal::show(std::vector<Diagnostic> found, const SourceMap& sourc
 }
 
 void Terminal::error(const std::string& message) const {
-    // What another program said stands indented in lines of its own.
+    // The output of another program stands in indented lines of its own.
     constexpr std::string_view indented_line = "\n    ";
     std::string text = "lancer: error: ";
     std::string_view rest = message;

@@ -1,4 +1,4 @@
-// Where text for people goes: standard error, coloured only when somebody looks at it.
+// Text for people on standard error, coloured only on a terminal.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace lancer::cli {
 
 class Terminal {
   public:
-    /// Looks at standard error and at the environment: NO_COLOR and TERM=dumb switch colours off.
+    /// Reads the state of standard error and the environment: NO_COLOR and TERM=dumb switch colours
+    /// off.
     Terminal();
 
     bool is_interactive() const { return interactive_; }
@@ -29,7 +30,7 @@ class Terminal {
     bool colors_ = false;
 };
 
-/// What format() wrote, with the escape sequences that colour its kinds and carets.
+/// The output of format(), with escape sequences that colour its kinds and carets.
 std::string with_colors(std::string_view diagnostic);
 
 }  // namespace lancer::cli

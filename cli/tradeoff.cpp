@@ -68,7 +68,7 @@ TradeOffScene load(const std::string& path, const TradeOffJob& job, Session& ses
     view.height = size.height;
     view.crop = job.crop;
     if (job.crop) check_crop(*job.crop, view.width, view.height);
-    constexpr int at_once = 10;  // pictures, the truth's halves and adaptive samples
+    constexpr int at_once = 10;  // the pictures, the halves of the truth, adaptive samples
     const Crop part = view.crop.value_or(Crop{0, 0, view.width, view.height});
     if (at_once * picture_bytes(part.width, part.height, 3) > available_memory())
         throw UsageError(fmt::format("pictures of {}x{} pixels do not fit into memory", part.width,
@@ -103,7 +103,7 @@ class TradeOffs {
   private:
     TradeOffReport measured(const TradeOffScene& loaded, std::size_t left) {
         judge::TradeOffOptions options;
-        // What earlier scenes have not used is there for the others.
+        // The remaining scenes share the time that is left.
         if (job_.budget)
             options.budget =
                 std::max(1e-3, *job_.budget - watch_.seconds()) / static_cast<double>(left);
@@ -132,7 +132,7 @@ class TradeOffs {
     ProgressBar bar_;
 };
 
-/// A file that is there already must be of an earlier report.
+/// An existing file must belong to an earlier report.
 void will_report(const TradeOffJob& job, Session& session) {
     if (job.report.empty()) return;
     std::vector<std::string> names = judge::plot_names(job.scenes);

@@ -19,7 +19,7 @@ namespace {
 
 using judge::ValidationJob;
 
-/// The scene and what chooses its picture, as one would type it.
+/// The scene and the options that choose its picture, as a command line.
 std::string scene_words(const std::string& path, const ValidateJob& job) {
     std::string words = judge::shell_quoted(path);
     if (!job.camera.empty()) words += " --camera " + judge::shell_quoted(job.camera);
@@ -48,7 +48,7 @@ ValidationJob load(const std::string& path, const ValidateJob& job, Session& ses
     return result;
 }
 
-/// Two scenes of one name would share a line in the report: the folder's name is put before it.
+/// Puts the folder's name before scenes with the same name, which would share a line in the report.
 void tell_apart(std::vector<ValidationJob>& jobs) {
     std::map<std::string, int> uses;
     for (const ValidationJob& job : jobs) ++uses[job.name];
@@ -60,7 +60,7 @@ void tell_apart(std::vector<ValidationJob>& jobs) {
     }
 }
 
-/// The option that asks for a report; empty: none does.
+/// The option that asks for a report; empty when none does.
 std::string report_option(const ValidateJob& job) {
     if (!job.report.empty()) return "--report";
     if (!job.json.empty()) return "--json";
@@ -78,7 +78,7 @@ OtherSide povray_side(const ValidateJob& job) {
             }};
 }
 
-/// `pictures` by the scenes' paths.
+/// `pictures`: by the scenes' paths.
 OtherSide picture_side(const ValidateJob& job, std::map<std::string, std::string> pictures) {
     return {"picture",
             {},
@@ -109,7 +109,7 @@ ExitCode validate(const ValidateJob& job, Session& session) {
     session.will_write(job.junit, "--junit");
     if (!job.report.empty())
         session.files.add_output_in_new_folder(job.report + "/index.html", "--report");
-    // Scenes that cannot be read do not keep the others from their answer.
+    // An unreadable scene does not stop the others.
     ExitCode worst = ExitCode::done;
     std::vector<ValidationJob> jobs;
     std::map<std::string, std::string> pictures;

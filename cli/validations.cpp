@@ -34,7 +34,7 @@ void Validations::run() {
     done_.resize(jobs_.size());
     other_.report.entries.resize(jobs_.size());
     if (!options_.quiet) session_.output.say(judge::table_head(name_width_, other_.name));
-    // POV-Ray sleeps while it starts, so that twice as many as there are cores keep them busy.
+    // POV-Ray sleeps while it starts, so two processes per core keep the cores busy.
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const auto workers = static_cast<int>(options_.jobs.value_or(2 * cores));
     for_each_task(static_cast<int>(jobs_.size()), workers, {}, [this](const NextTask& next) {
@@ -42,7 +42,7 @@ void Validations::run() {
     });
 }
 
-/// A refusal that nobody expected is the scene's, all else POV-Ray's.
+/// An unexpected refusal is the scene's fault; any other failure is POV-Ray's.
 static ExitCode exit_code_of(const Validation& v) {
     return v.refusals.empty() ? ExitCode::files : ExitCode::differs;
 }

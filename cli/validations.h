@@ -1,4 +1,4 @@
-// The scenes of `lancer validate`, judged side by side.
+// Judges the scenes of `lancer validate` in parallel.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace lancer::cli {
 
-/// What the command line asks for.
+/// The options of the command.
 struct ValidateJob {
     std::vector<std::string> scenes;
     std::string report;
@@ -36,10 +36,10 @@ struct ValidateJob {
     SceneOptions scene_options;
 };
 
-/// Judges a scene; what goes wrong is a verdict. Called from several threads.
+/// Judges a scene; a failure becomes a verdict. Called from several threads.
 using Judge = std::function<judge::Validation(const judge::ValidationJob& job)>;
 
-/// Who is on the other side.
+/// The other renderer.
 struct OtherSide {
     std::string name;            ///< heads the column of its times
     std::string povray_version;  ///< empty: it is not POV-Ray
@@ -47,15 +47,15 @@ struct OtherSide {
     Judge judge;
 };
 
-/// Validates all jobs, as many at once as `options` says; prints each line in the order of the jobs
-/// as soon as it is known, and collects the report's entries.
+/// Validates all jobs, as many in parallel as `options` says. Prints each line as soon as it is
+/// known, in the order of the jobs, and collects the entries of the report.
 class Validations {
   public:
     Validations(const ValidateJob& options, std::vector<judge::ValidationJob> jobs, OtherSide other,
                 Session& session);
 
     void run();
-    /// Writes what was asked for.
+    /// Writes the requested files.
     ExitCode finish();
 
   private:

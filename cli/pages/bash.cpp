@@ -9,7 +9,7 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
     return fmt::format("{}", fmt::join(words, between));
 }
 
-/// What to set for a value of this kind; empty: there is nothing to offer.
+/// The completion for a value of this kind; empty when there is none.
 std::string offer(ValueKind kind, const std::vector<std::string>& words) {
     switch (kind) {
         case ValueKind::words:

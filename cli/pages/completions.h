@@ -1,4 +1,4 @@
-// Scripts by which shells complete the command line: commands, options and their values.
+// Shell scripts that complete commands, options and their values.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lancer::cli {
 
-/// For bash 4 and newer; needs nothing of the package bash-completion.
+/// For bash 4 and newer; does not need the package bash-completion.
 std::string bash_completion(const CommandTable& table);
 std::string zsh_completion(const CommandTable& table);
 std::string fish_completion(const CommandTable& table);

@@ -1,4 +1,4 @@
-// The words of the language, by what an editor shows them as.
+// The words of the language, by how an editor shows them.
 #pragma once
 
 #include <set>
@@ -6,7 +6,7 @@
 
 namespace lancer::cli {
 
-/// Each word stands in one set.
+/// Each word is in exactly one set.
 struct LanguageWords {
     std::set<std::string> statements;  ///< `let`, `for`, …
     std::set<std::string> blocks;      ///< `sphere`, …

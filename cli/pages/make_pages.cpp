@@ -1,6 +1,6 @@
-// make_pages DIR: writes manual pages, completions for shells and files for editors below DIR, a
-// folder for each program that reads them. Pages are dated by SOURCE_DATE_EPOCH where it is set, so
-// that they can be made again.
+// make_pages DIR: writes manual pages, shell completions and editor files below DIR, one folder per
+// program that reads them. SOURCE_DATE_EPOCH, if set, gives the date of the pages, so that builds
+// are reproducible.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

@@ -24,7 +24,8 @@ std::string heading(const CommandTable& table, const std::string& name, const st
         roff(capitals), date, table.version);
 }
 
-/// After `lancer-render \-`, as whatis(1) lists it: one line that begins small.
+/// The text after `lancer-render \-`, as whatis(1) lists it: one line that begins with a small
+/// letter.
 std::string name_section(const std::string& name, std::string meaning) {
     if (!meaning.empty())
         meaning[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(meaning[0])));
@@ -36,7 +37,7 @@ std::string option_entry(const OptionRow& option) {
     for (const std::string& name : option.names)
         names += fmt::format("{}\\fB{}\\fR", names.empty() ? "" : ", ", roff(name));
     if (!option.value.empty()) {
-        // Words to choose from are written as they stand.
+        // Words to choose from are typed literally, so they are bold.
         const char font = option.kind == ValueKind::words ? 'B' : 'I';
         names += fmt::format(" \\f{}{}\\fR", font, roff(option.value));
     }

@@ -4,7 +4,7 @@ namespace lancer::cli {
 
 std::string roff(std::string_view text) {
     std::string result;
-    // A line that begins with one of these would be a request.
+    // roff would read a line that begins with one of these as a request.
     if (text.starts_with('.') || text.starts_with('\'')) result = "\\&";
     bool bold = false;
     for (const char c : text) {

@@ -6,8 +6,8 @@
 
 namespace lancer::cli {
 
-/// Characters that roff would take for commands are escaped, and hyphens are those of ASCII, so
-/// that what a page shows can be copied to a shell. What stands in backticks is bold.
+/// Escapes characters that roff would read as commands. Hyphens become ASCII hyphens, so that
+/// examples can be copied into a shell. Text in backticks becomes bold.
 std::string roff(std::string_view text);
 
 }  // namespace lancer::cli

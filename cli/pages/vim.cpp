@@ -5,7 +5,8 @@
 namespace lancer::cli {
 namespace {
 
-/// As matches: among keywords some words (`contains`, `display`, …) would be arguments of Vim's.
+/// Uses `syntax match`: as keywords, some words (`contains`, `display`, …) would be arguments of
+/// Vim.
 std::string word_rule(const char* group, const std::set<std::string>& words) {
     return fmt::format("syntax match {} \"\\<\\%({}\\)\\>\"\n", group, fmt::join(words, "\\|"));
 }

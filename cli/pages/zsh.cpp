@@ -5,7 +5,7 @@
 namespace lancer::cli {
 namespace {
 
-/// Inside '…' of a script, with a backslash before each of `special`.
+/// Text for use inside '…' of a script, with a backslash before each character of `special`.
 std::string quoted(const std::string& text, std::string_view special) {
     std::string result;
     for (const char c : text) {
