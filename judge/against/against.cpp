@@ -14,7 +14,7 @@ namespace lancer::judge {
 
 namespace {
 
-/// Light as the other picture holds it.
+/// The colour as the other picture stores it.
 Color held(const Color& color, double exposure, bool clipped) {
     Color result = color * exposure;
     if (clipped)
@@ -22,13 +22,13 @@ Color held(const Color& color, double exposure, bool clipped) {
     return result;
 }
 
-/// The other renderer's proportions are the scene's, up to a pixel of rounding.
+/// Whether the proportions are the scene's, except for rounding by up to a pixel.
 bool has_proportions(const Image& picture, const Scene& scene) {
     const double height = static_cast<double>(picture.width) * scene.height / scene.width;
     return std::abs(height - picture.height) < 1;
 }
 
-/// Why the picture is none of this view; empty when it is.
+/// Why the picture cannot show this view; empty when it can.
 std::string size_problem(const Image& picture, const AgainstJob& job) {
     const reference::ExportView& view = job.scene.view;
     const Scene& scene = *job.scene.scene;
@@ -43,7 +43,7 @@ std::string size_problem(const Image& picture, const AgainstJob& job) {
         picture.width, picture.height, scene.width, scene.height, picture.width, picture.height);
 }
 
-/// What is not a number, before anything is rendered.
+/// Reports values that are not finite, before anything is rendered.
 std::string non_finite_problem(const Image& picture) {
     const auto bad = std::find_if(picture.data.begin(), picture.data.end(),
                                   [](double v) { return !std::isfinite(v); });
@@ -89,8 +89,8 @@ OurSide render(const AgainstJob& job, const View& view, bool clipped) {
     return ours;
 }
 
-/// Pairs of objects whose faces lie in one place where rays get: one cannot tell from a picture
-/// which of them a program means.
+/// Pairs of objects with coincident faces that rays can reach. A picture cannot tell which of the
+/// two a program finds.
 std::vector<reference::Coincidence> undecidable(const ValidationJob& job) {
     reference::ExportOptions options;
     options.name = job.name;
@@ -102,7 +102,7 @@ std::vector<reference::Coincidence> undecidable(const ValidationJob& job) {
     return found;
 }
 
-/// There is one.
+/// There must be one.
 const DifferentPixel& worst_unexplained(const Judgement& judgement) {
     return *std::max_element(judgement.different.begin(), judgement.different.end(),
                              [](const DifferentPixel& a, const DifferentPixel& b) {
@@ -188,7 +188,7 @@ void judge(Validation& result, const AgainstJob& job) {
         const bool is_shifted =
             cause ? cause->is_shift
                   : shift_brings_nearer(result.ours, result.theirs, result.judgement, ours.probe);
-        // It has other reasons to differ, or it is kept.
+        // The shift is kept as a reason if there is no other.
         if (!is_shifted && result.judgement.failures.size() > 1)
             std::erase(result.reasons, result.judgement.shift_failure);
     }

@@ -1,4 +1,4 @@
-// A scene, and a picture of it that any other renderer made.
+// Validates a scene against a picture that another renderer made.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,18 @@ struct AgainstJob {
     bool size_is_given = false;
 };
 
-/// Renders ours through the points that the other program is said to look through, and judges the
-/// picture by it as POV-Ray's is judged, without what POV-Ray is asked besides; where the two
-/// differ the likely cause is told. The picture's size is the view's unless one is given; its
-/// proportions must be those of the scene. What goes wrong is a verdict; throws nothing but what
-/// memory throws.
+/// Renders our picture through the points of the pixels where the other program's rays go, and
+/// judges the other picture by it. The rules are those for POV-Ray, without the questions that only
+/// POV-Ray can answer. Where the pictures differ, reports the likely cause. The picture's size is
+/// the view's unless one is given; its proportions must be those of the scene. A failure is a
+/// verdict; throws only std::bad_alloc.
 Validation validate_against(const AgainstJob& job);
 
 /// The picture of a scene in a folder: NAME.exr, .tif, .tiff, .png or .ppm, in this order. Throws
 /// FileError when there is none.
 std::string picture_in_folder(const std::string& folder, const std::string& scene_path);
 
-/// The report around the entries.
+/// The report, still without entries.
 Report against_report(const std::string& lancer_version, const std::string& pictures,
                       const Reading& reading);
 

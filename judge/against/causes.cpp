@@ -15,17 +15,18 @@ namespace lancer::judge {
 
 namespace {
 
-/// Fewer different pixels than this, or than their share of all, are no whole picture's.
+/// With fewer different pixels than this, or a smaller share of all, no cause for the whole picture
+/// is looked for.
 constexpr std::size_t least_different = 8;
 constexpr std::size_t one_in = 2000;
 constexpr std::size_t most_different = 6000;
 constexpr std::size_t most_agreeing = 3000;
-/// Variants of a scene with more triangles would take long to build.
+/// A scene with more triangles takes long to build, so its variants are not tried.
 constexpr std::uint64_t most_triangles = 300'000;
-/// And those of all variants together.
+/// The limit on the triangles of all variants together.
 constexpr std::uint64_t most_built = 15'000'000;
 
-/// Every n-th of the pixels, so that no more than `most` are taken.
+/// Every n-th of the pixels, about `most` of them.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& pixels, std::size_t most) {
     const std::size_t step = pixels.size() / most + 1;
     std::vector<std::size_t> kept;
@@ -63,7 +64,7 @@ TrialPixels samples_of(const Image& ours, const Image& theirs, const Reading& re
     return samples;
 }
 
-/// Keeps the best explanation that convinces; of two that are as good the one found first.
+/// Keeps the best explanation that convinces; of two equal ones, the first.
 class Best {
   public:
     explicit Best(const TrialPixels& samples) : samples_(samples) {}
@@ -81,7 +82,7 @@ class Best {
     void consider(const std::vector<Explanation>& explanations) {
         for (const Explanation& explanation : explanations) consider(explanation);
     }
-    /// Nothing better can come.
+    /// True when no better explanation is possible.
     bool found() const { return found_; }
     const std::optional<Cause>& cause() const { return cause_; }
 
@@ -92,7 +93,7 @@ class Best {
     bool found_ = false;
 };
 
-/// Picture points → what the scene has there by an explanation.
+/// The colours that an explanation predicts at points of the picture.
 using Look = std::function<std::vector<Color>(const std::vector<PicturePoint>&)>;
 
 /// Looks at all samples only where it may convince: at a few of those that differ it must hold for
@@ -116,7 +117,7 @@ void consider_variant(Best& best, const TrialPixels& samples, const VariantTrace
             return tracer.trace(*renderer, scene.settings, points);
         });
     } catch (const SceneError&) {
-        // A variant that cannot be rendered is nobody's picture.
+        // The other program cannot have rendered this variant either.
     }
 }
 
@@ -146,9 +147,9 @@ std::vector<Suspect> suspects_of(const Judgement& judgement, const ProbeFunction
 bool shift_brings_nearer(const Image& ours, const Image& theirs, const Judgement& judgement,
                          const ProbeFunction& probe) {
     constexpr std::size_t most_looks = 1000;
-    constexpr double edge = 0.05;  // more says no more about a shift
+    constexpr double edge = 0.05;  // larger differences say no more about a shift
     const Shift& shift = judgement.picture_shift;
-    // Registration follows slopes, which lead no further.
+    // Registration follows slopes, which say nothing about longer shifts.
     if (!(shift.length() < 2)) return false;
     std::vector<std::size_t> different;
     for (std::size_t i = 0; i < judgement.different.size(); ++i) different.push_back(i);
@@ -174,7 +175,7 @@ std::optional<Cause> likely_cause(const ValidationJob& job, const Image& ours, c
     const Scene& scene = *job.scene;
     const VariantTracer tracer(tracer_view(job.view), samples);
     const auto renderer = compile(scene, scene.settings);
-    // Not clipped, as ours are: an explanation may make less of what lies above 1.
+    // These values are not clipped, while `ours` is: an explanation may darken values above 1.
     samples.ours = tracer.trace(*renderer, scene.settings, samples.points);
 
     Best best(samples);

@@ -1,4 +1,4 @@
-// One cause for all that differs between two pictures, in words.
+// Finds one cause of all differences between two pictures, in words.
 #pragma once
 
 #include <optional>
@@ -15,25 +15,24 @@ struct Cause {
     bool is_shift = false;
 };
 
-/// What most likely makes the other picture what it is: the explanation that repairs nearly all
-/// pixels which differ and spoils none. Nothing where there is no single one; asked only of
-/// pictures that do not agree. The work is bounded: some ten thousand points, some hundred
-/// variants of the scene, nearly all of which are dropped after some hundred points. `job.view` is
-/// that of the pictures, and `judgement` is of them.
+/// The most likely cause of the differences: the explanation that repairs nearly all different
+/// pixels and spoils none. Nothing when there is no single one. To be called only for pictures that
+/// do not agree. The work is bounded: about ten thousand points and a few hundred variants of the
+/// scene, nearly all of which are rejected after a few hundred points. `job.view` is the view of
+/// the pictures, and `judgement` is their judgement.
 ///
-/// \param ours    times the exposure
-/// \param probe   gives `ours` at the pixels' centres, as judge_pictures has it
+/// \param ours    multiplied by the exposure
+/// \param probe   gives `ours` at the pixels' centres, as for judge_pictures()
 std::optional<Cause> likely_cause(const ValidationJob& job, const Image& ours, const Image& theirs,
                                   const Judgement& judgement, const Reading& reading, bool clipped,
                                   const ProbeFunction& probe);
 
-/// Whether the shift that registration found makes the pictures more alike where they differ. Over
-/// differences of another cause it finds any.
+/// Whether the shift found by registration makes the different pixels more alike. Registration
+/// finds a shift even when the differences have another cause.
 bool shift_brings_nearer(const Image& ours, const Image& theirs, const Judgement& judgement,
                          const ProbeFunction& probe);
 
-/// The objects that the unexplained pixels show first, those of most pixels in front; at most
-/// three.
+/// The objects that the unexplained pixels show, by decreasing number of pixels; at most three.
 struct Suspect {
     std::size_t object = 0;  ///< index into Scene::objects
     std::size_t pixels = 0;

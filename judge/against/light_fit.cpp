@@ -15,7 +15,7 @@ namespace lancer::judge {
 
 namespace {
 
-/// What one source of light brings to the samples.
+/// The light that one source contributes to the samples.
 struct Source {
     std::string words;
     std::vector<Color> brought;
@@ -129,8 +129,9 @@ void set_fade(Light& light, const std::optional<Fade>& fade) {
     std::visit(set, light.kind);
 }
 
-/// Laws that other programs have. Where our formula's distance is small against all others, its 1
-/// plays no part, and it is the plain inverse power. `far` is a length of the scene's size.
+/// Falloff laws of other programs. If the distance in our formula is small against all distances in
+/// the scene, its 1 is negligible, and it becomes the plain inverse power. `far` is a length of the
+/// scene's size.
 std::vector<Law> laws_for(const std::optional<Fade>& ours, double far) {
     constexpr double small = 1e-4;
     std::vector<Law> laws;
@@ -178,7 +179,7 @@ std::vector<Explanation> other_lights(const TrialPixels& samples, const VariantT
 std::vector<Explanation> other_falloffs(const TrialPixels& samples, const VariantTracer& tracer,
                                         const ValidationJob& job) {
     std::vector<Explanation> found;
-    std::vector<std::size_t> placed;  // lights that can fall off
+    std::vector<std::size_t> placed;  // lights whose falloff can change
     for (std::size_t i = 0; i < job.scene->lights.size(); ++i)
         if (fade_of(job.scene->lights[i]) != nullptr) placed.push_back(i);
     if (placed.empty() || placed.size() > most_lights) return found;

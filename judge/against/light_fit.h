@@ -1,5 +1,5 @@
-// Causes that lie in the light: one of the lights, the ambient light or the background is another,
-// or a light falls off otherwise.
+// Causes in the lighting: one of the lights, the ambient light or the background differs, or a
+// light has another falloff.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace lancer::judge {
 
-/// So many lights are asked for one by one; each takes a picture of its own.
+/// The largest number of lights that are tried one by one; each needs a picture.
 inline constexpr std::size_t most_lights = 12;
 
 /// Light adds up: the other picture is ours and a share of what each light, the ambient light and

@@ -24,7 +24,7 @@ bool is_mirror(const Material& m) {
     return max_component(m.reflection) > 0;
 }
 
-/// Collects variants in which all materials of a sort are changed, where the scene has some.
+/// Collects variants in which all materials of one kind are changed, if the scene has any.
 class Changes {
   public:
     Changes(std::vector<SceneVariant>& variants, const Scene& scene)
@@ -67,8 +67,8 @@ void add_highlights(Changes& changes) {
     add_exponent("half of the scene's: highlights are too wide", 0.5);
     add_exponent("four times the scene's: highlights are too small", 4);
     add_exponent("a quarter of the scene's: highlights are too wide", 0.25);
-    // The angle between H and N is half of that between R and L, roughly: a factor of 4 is made
-    // good by those who know.
+    // The angle between H and N is roughly half of that between R and L. Some programs compensate
+    // for it with a factor of 4 in the exponent.
     for (const double factor : {1.0, 4.0}) {
         const std::string with = factor == 1 ? "" : ", with 4 times the exponent";
         changes.add(

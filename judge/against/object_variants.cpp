@@ -12,13 +12,13 @@ namespace lancer::judge {
 
 namespace {
 
-// In the order of the variant's alternatives.
+// In the order of the alternatives of Shape.
 constexpr std::array<std::string_view, std::variant_size_v<Shape>> kinds{
     "spheres",   "boxes",  "cylinders", "cones",  "tori",   "planes",
     "triangles", "meshes", "patches",   "lathes", "prisms", "composites"};
 
-/// Lit as if its normals pointed the other way. Most programs then find no light at all, since the
-/// body is in the way; for a sheet it may come from behind.
+/// Lights the object as if its normals were reversed. Most programs then find no light at all,
+/// because the body is in the way; light may reach a sheet from behind.
 void turn_material(Scene& scene, Object& turned, bool from_behind) {
     Material material = scene.materials[turned.material];
     material.diffuse_transmission = from_behind ? material.diffuse : 0;
@@ -38,7 +38,7 @@ void turn_normals(Scene& scene, std::size_t object, bool from_behind) {
     }
 }
 
-/// The kinds that several objects have, and not all.
+/// The kinds that several objects have, but not all.
 std::vector<std::size_t> common_kinds(const Scene& scene) {
     std::array<std::size_t, kinds.size()> counts{};
     for (const Object& object : scene.objects) ++counts[object.shape.index()];

@@ -26,7 +26,8 @@ double light_of(double number, const Encoding& encoding) {
     return number;
 }
 
-/// More different values than this, or nothing can be told from which they are.
+/// Whether there are more than `many` different values. With fewer, the values say nothing about
+/// the file's precision.
 bool has_many_values(const std::vector<double>& values, std::size_t many) {
     std::set<double> seen;
     for (const double value : values) {
@@ -36,7 +37,7 @@ bool has_many_values(const std::vector<double>& values, std::size_t many) {
     return false;
 }
 
-/// Whether all numbers are those of a file with 8 bits.
+/// Whether all values are multiples of 1/255.
 bool has_8_bits(const Image& numbers) {
     const auto is_step = [](double v) { return std::abs(v * 255 - std::round(v * 255)) < 1e-6; };
     return std::all_of(numbers.data.begin(), numbers.data.end(), is_step) &&
@@ -49,8 +50,8 @@ bool has_16_bits(const Image& numbers) {
     });
 }
 
-/// Light of numbers that are half a step of 16 bits higher, but for 0 and 1, which may be clipped.
-/// Nothing where the file names a curve that is neither linear nor sRGB.
+/// The light of values that are half a step of 16 bits higher, except for 0 and 1, which may be
+/// clipped. Nothing when the file names a curve that is neither linear nor sRGB.
 Image half_a_step_up(const Image& numbers, const Image& light, Encoding encoding) {
     if (encoding.kind == Encoding::Kind::automatic) {
         if (light.data == numbers.data) {
@@ -69,7 +70,7 @@ Image half_a_step_up(const Image& numbers, const Image& light, Encoding encoding
     return raised;
 }
 
-/// Whether all numbers fit the 11 binary digits of half floats.
+/// Whether all values fit the 11 binary digits of half floats.
 bool has_11_digits(const Image& numbers) {
     const auto is_half = [](double v) {
         int exponent = 0;
@@ -80,10 +81,10 @@ bool has_11_digits(const Image& numbers) {
            has_many_values(numbers.data, 16);
 }
 
-/// Half of the largest step in light that a file of 8 bits has, near white.
+/// Half of the largest step in light of a file with 8 bits, near white.
 double half_step_of_8_bits(const Image& numbers, const Image& light) {
     double half = 0;
-    // The curve is told by what the numbers became.
+    // The slope of the curve follows from the values and their light.
     for (std::size_t i = 0; i < numbers.data.size(); ++i) {
         const double n = numbers.data[i];
         if (!(n > 0 && n <= 1) || !(light.data[i] > 0)) continue;
@@ -155,10 +156,10 @@ ForeignPicture read_foreign_picture(const std::string& path, const Encoding& enc
 bool is_rounded_down(const Image& ours, const ForeignPicture& picture) {
     constexpr std::size_t least_values = 64;
     if (picture.raised.data.empty()) return false;
-    std::set<double> values;  // equal ones are one witness
+    std::set<double> values;  // equal values count once
     std::size_t seen = 0;
-    std::size_t below = 0;    // what rounding down leaves
-    std::size_t nearest = 0;  // what rounding to the nearest leaves
+    std::size_t below = 0;    // what rounding down leaves over
+    std::size_t nearest = 0;  // what rounding to the nearest leaves over
     for (std::size_t i = 0; i < ours.data.size(); ++i) {
         const double half = picture.raised.data[i] - picture.light.data[i];
         const double lost = ours.data[i] - picture.light.data[i];

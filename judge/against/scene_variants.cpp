@@ -31,8 +31,8 @@ void add_up_vectors(std::vector<SceneVariant>& variants, const Camera& seen, std
 
 using Swap = Vec3d (*)(const Vec3d&);
 
-/// A world whose axes are exchanged under a camera that stays is the same picture as the camera
-/// taken the other way.
+/// Exchanging the axes of the world under a fixed camera gives the same picture as changing the
+/// camera the other way.
 SceneVariant axes_exchanged(std::size_t camera, const char* words, Swap back, bool mirrored) {
     return {words,
             [camera, back](Scene& scene) {
@@ -102,14 +102,14 @@ void add_settings(std::vector<SceneVariant>& variants, const Scene& scene) {
         [](Scene& s) { s.sky->axis = -s.sky->axis; });
 }
 
-/// Whether a ray may go on as two: then each level may cost as much as all before it.
+/// Whether a ray can split in two: then each level may cost as much as all before it.
 bool has_branches(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
         return (m.transmission > 0 || m.filter > 0) && max_component(m.reflection) > 0;
     });
 }
 
-/// The nearest depths first, and the roundest ones.
+/// The nearest depths first, then round numbers.
 void add_depths(std::vector<SceneVariant>& variants, const Scene& scene) {
     const int depth = scene.settings.max_depth;
     const int most = has_branches(scene) ? std::max(10, depth + 1) : std::max(64, depth + 1);

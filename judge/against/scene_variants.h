@@ -1,4 +1,4 @@
-// Causes that lie in how the other program read the scene: found by rendering it so.
+// Causes in how the other program read the scene: found by rendering the scene that way.
 #pragma once
 
 #include <functional>
@@ -16,20 +16,20 @@ struct SceneVariant {
     bool mirrored = false;  ///< left and right are exchanged besides
 };
 
-/// Variants of the camera, of the settings, and of the `suspects`, objects of which many pixels
-/// differ: their normals, whether they are there at all; then of all objects of a kind, and of all
-/// materials. The plainest first. `camera` is an index into the scene's.
+/// Variants of the camera, of the settings, and of the `suspects`, the objects that many different
+/// pixels show: their normals, and whether they exist; then of all objects of one kind, and of all
+/// materials. The simplest come first. `camera` is an index into Scene::cameras.
 std::vector<SceneVariant> scene_variants(const ValidationJob& job, std::size_t camera,
                                          const std::vector<std::size_t>& suspects);
 
-// Parts of them, in files of their own.
+// Groups of them, each in a file of its own.
 
-/// Normals and absence: of the suspects, of all objects of a kind, of all.
+/// Normals and absence: of the suspects, of all objects of one kind, of all objects.
 void add_object_variants(std::vector<SceneVariant>& variants, const ValidationJob& job,
                          const std::vector<std::size_t>& suspects);
-/// Highlights, mirrors, glass: terms that are left out or have another parameter.
+/// Highlights, mirrors and glass: terms that are missing or have another parameter.
 void add_material_variants(std::vector<SceneVariant>& variants, const Scene& scene);
-/// Images turned over or read otherwise, colours through a curve.
+/// Images that are flipped or decoded differently, colours through a curve.
 void add_texture_variants(std::vector<SceneVariant>& variants, const Scene& scene);
 
 }  // namespace lancer::judge

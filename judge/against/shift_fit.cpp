@@ -18,11 +18,11 @@ namespace {
 
 constexpr double slope_step = 0.02;  // pixels, on each side
 constexpr int rounds = 12;
-/// Places are tried so far apart, in pixels, up to `reach` on all sides.
+/// The spacing of the shifts that are tried first, in pixels; `steps` of them on each side.
 constexpr double spacing = 0.5;
 constexpr int steps = 3;
-constexpr std::size_t starts = 2;         ///< the best of them are refined
-constexpr std::size_t most_points = 800;  ///< at which places are compared
+constexpr std::size_t starts = 2;         ///< how many of the best shifts are refined
+constexpr std::size_t most_points = 800;  ///< the number of points at which shifts are compared
 
 class ShiftFinder {
   public:
@@ -39,7 +39,7 @@ class ShiftFinder {
         return tracer_.trace(renderer_, scene_.settings, points);
     }
 
-    /// The sum of the differences, each up to a bound: what edges do counts for little.
+    /// The sum of the differences, each limited so that edges count little.
     double misfit(double x, double y) const {
         const std::vector<Color> colors = at(x, y);
         double sum = 0;
@@ -48,8 +48,8 @@ class ShiftFinder {
         return sum;
     }
 
-    /// One step of Gauss and Newton from (x, y). A difference weighs less where the slope would
-    /// have to be followed further than `reach` pixels to make it: there an edge makes it.
+    /// One Gauss-Newton step from (x, y). A difference has a small weight when the slope does not
+    /// account for it within `reach` pixels: then an edge caused it.
     std::optional<PicturePoint> better(double x, double y, double reach) const {
         const std::vector<Color> here = at(x, y);
         const std::vector<Color> left = at(x - slope_step, y);
@@ -83,7 +83,7 @@ class ShiftFinder {
         return PicturePoint{x + dx, y + dy};
     }
 
-    /// An edge between two of the values is none.
+    /// False when an edge lies between two of the values.
     static bool is_slope(double before, double here, double behind) {
         return std::abs(before - 2 * here + behind) <= 0.2 * std::abs(behind - before) + 1e-9;
     }
@@ -93,7 +93,7 @@ class ShiftFinder {
         double misfit = 0;
     };
 
-    /// The best places of a grid, those with the least misfit first.
+    /// The best shifts of a grid, by increasing misfit.
     std::vector<Place> good_places() const {
         std::vector<Place> places;
         for (int j = -steps; j <= steps; ++j) {
@@ -108,8 +108,8 @@ class ShiftFinder {
         return places;
     }
 
-    /// The place with the least misfit on the way from `start`. `reach` is how far the first step's
-    /// slopes are followed; each later one's half as far.
+    /// The shift with the least misfit on the way from `start`. The first step trusts slopes over
+    /// `reach` pixels; each later one over half the distance of the step before.
     Place refined(const Place& start, double reach) const {
         Place best = start;
         PicturePoint place = start.shift;
@@ -133,11 +133,11 @@ class ShiftFinder {
 };
 
 std::string shift_words(double x, double y, double center_x, double center_y) {
-    // The pictures are told apart by no less (Thresholds::shift).
+    // Smaller differences do not count as a shift (Thresholds::shift).
     const auto rounded = [](double v) { return std::round(v * 1e3) / 1e3 + 0.0; };
     const double px = rounded(center_x + x);
     const double py = rounded(center_y + y);
-    // Rays further to the right show what lies there: the picture has moved to the left.
+    // If the rays go further to the right, the picture moves to the left.
     std::vector<std::string> ways;
     if (rounded(x) != 0)
         ways.push_back(fmt::format("{:g} pixel to the {}", std::abs(rounded(x)),
@@ -188,7 +188,7 @@ Explanation shifted_picture(const TrialPixels& samples, const VariantTracer& tra
     const ShiftFinder finder(samples, tracer, scene, renderer);
     best.misfit = finder.misfit(best.shift.x, best.shift.y);
     const PicturePoint shift = finder.refined(best, 4e-3).shift;
-    // A program that moves its picture has nothing for what comes in over the border.
+    // A program that shifts its picture has no values for the border that comes in.
     const View& view = tracer.view();
     std::vector<std::uint8_t> left_out;
     for (const PicturePoint& p : samples.points) {

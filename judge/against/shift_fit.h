@@ -1,4 +1,4 @@
-// Causes that move the picture: turned over, mirrored, rays beside the pixels' centres.
+// Causes that move the picture: flips, and rays that miss the pixels' centres.
 #pragma once
 
 #include <vector>

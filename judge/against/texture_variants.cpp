@@ -29,7 +29,7 @@ void change_images(Scene& scene, const Change& change) {
         image.pixels = std::make_shared<const Image>(change(*image.pixels));
 }
 
-/// Of textures of one sort.
+/// Changes all textures with this kind of pattern.
 template <class Pattern, class Change>
 void change_patterns(Scene& scene, const Change& change) {
     for (Texture& texture : scene.textures)

@@ -1,4 +1,5 @@
-// Points of a picture at which causes are tried: all that cost little, and enough to tell.
+// Sample points of a picture at which explanations are tested: few enough to be cheap, and enough
+// to decide.
 #pragma once
 
 #include <cstdint>
@@ -25,14 +26,14 @@ struct TrialPixels {
 /// Every n-th of the points that differ, so that there are about `most`.
 TrialPixels few_of(const TrialPixels& samples, std::size_t most);
 
-/// Scene variants and points → light, in the units of the other picture.
+/// Renders variants of the scene at the samples' points, in the units of the other picture.
 class VariantTracer {
   public:
     VariantTracer(const View& view, const TrialPixels& samples) : view_(view), samples_(samples) {}
 
-    /// What `scene` has at the samples' points. An exception is the scene's (SceneError).
+    /// The colours of `scene` at the samples' points. Throws SceneError.
     std::vector<Color> trace(const Scene& scene) const;
-    /// The same renderer for several sets of points.
+    /// The same with one renderer, for several sets of points.
     std::vector<Color> trace(const Renderer& renderer, const Settings& settings,
                              const std::vector<PicturePoint>& points) const;
     const View& view() const { return view_; }
@@ -42,21 +43,22 @@ class VariantTracer {
     const TrialPixels& samples_;
 };
 
-/// An explanation: what to say, and what the picture would be by it.
+/// An explanation: its words, and the picture that it predicts.
 struct Explanation {
     std::string words;  ///< a sentence without a full stop
     std::vector<Color> colors;
     bool is_shift = false;
-    /// Of each sample: 1 where it says nothing, as beyond a picture's border. Empty: nowhere.
+    /// Per sample: 1 where the explanation predicts nothing, for example outside of the picture.
+    /// Empty: it predicts all.
     std::vector<std::uint8_t> left_out{};
 };
 
-/// What an explanation does to the samples.
+/// The effect of an explanation on the samples.
 struct Effect {
-    double repaired = 0;  ///< share of the different ones that agree by it
-    double spoilt = 0;    ///< share of the others that agree no more
+    double repaired = 0;  ///< share of the different samples that agree with it
+    double spoilt = 0;    ///< share of the other samples that no longer agree
 
-    /// Nearly all are repaired, and next to nothing is spoilt: edges may.
+    /// Nearly all are repaired, and hardly any is spoilt; some at edges may be.
     bool convinces() const { return repaired >= 0.9 && spoilt <= 0.02; }
     bool is_perfect() const { return repaired >= 0.995 && spoilt <= 0.001; }
 };

@@ -13,10 +13,10 @@ namespace lancer::judge {
 
 namespace {
 
-/// Of this many values at least a fit is made.
+/// The least number of values for a fit.
 constexpr std::size_t least_values = 16;
 
-/// Each of our values as a function has it.
+/// Applies a function to each of our values.
 template <class Map>
 std::vector<Color> mapped(const TrialPixels& samples, const Map& map) {
     std::vector<Color> colors = samples.ours;
@@ -25,8 +25,8 @@ std::vector<Color> mapped(const TrialPixels& samples, const Map& map) {
     return colors;
 }
 
-/// The median of what `ratio` says of pairs of values (ours, theirs) in the open range, where
-/// neither is clipped; nothing for too few of them. `channel` -1: of all three.
+/// The median of `ratio` over pairs of values (ours, theirs) in the open range, where neither is
+/// clipped; nothing when there are too few. `channel` -1: all three channels.
 template <class Ratio>
 std::optional<double> median(const TrialPixels& samples, int channel, double least, double most,
                              const Ratio& ratio) {

@@ -1,4 +1,4 @@
-// Causes that change a value by itself: a curve too many, a factor.
+// Causes that change each value by itself: a curve applied too often, a factor.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace lancer::judge {
 /// channels: those that can be fitted, the plainest first.
 std::vector<Explanation> value_fits(const TrialPixels& samples);
 
-/// A factor as a text of up to six digits that tells it from 1.
+/// A factor as text with up to six digits: as many as are needed to distinguish it from 1.
 std::string factor_text(double factor);
 
 }  // namespace lancer::judge

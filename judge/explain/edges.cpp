@@ -7,13 +7,13 @@ namespace lancer::judge {
 
 namespace {
 
-/// How far from a pixel's centre its slope is measured, in pixels.
+/// The distance from a pixel's centre over which its slope is measured, in pixels.
 constexpr double step = 0.01;
-/// A step this many times larger than the slopes on its two sides predict is none of theirs.
+/// A step this many times larger than the slopes on both sides predict is an edge.
 constexpr double sharpness = 4;
 
-/// Looks for edges between neighbours. Each look is a ray with all that follows, so none is taken
-/// twice, and none that cannot matter any more.
+/// Finds edges between neighbours. A probe is a ray with its whole tree, so none is repeated, and
+/// none is taken that cannot matter any more.
 class EdgeFinder {
   public:
     EdgeFinder(const Image& image, const ProbeFunction& probe, double contrast)

@@ -1,4 +1,4 @@
-// Where in our own picture something ends: geometry, a shadow, a cell of a texture.
+// Finds edges in our own picture: of geometry, shadows, cells of a texture.
 #pragma once
 
 #include <cstdint>

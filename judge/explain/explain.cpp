@@ -13,13 +13,13 @@ namespace lancer::judge {
 
 namespace {
 
-/// A small shift makes no such difference on a smooth surface: what does is left out of
-/// registration.
+/// A small shift cannot change a smooth surface by more than this. Pixels that differ more are left
+/// out of registration.
 constexpr double no_shift = 0.01;
 
-/// The pixels that are asked about. Rays are spent first where the other program has another value
-/// than ours although coincident faces were told apart: elsewhere its picture tells enough, if need
-/// be.
+/// The indices of the pixels to examine. Pixels come first where the other program's value differs
+/// from ours even when coincident faces are told apart. For the others, its second picture is
+/// sufficient evidence if the rays run out.
 std::vector<std::size_t> asked_about(const Image& ours, const std::vector<double>& differences,
                                      const Thresholds& limits, const SecondLook& second) {
     std::vector<std::size_t> pixels;
@@ -38,8 +38,8 @@ std::vector<std::size_t> asked_about(const Image& ours, const std::vector<double
     return pixels;
 }
 
-/// The picture, where registration looks and differs by `least`, as the rules have it: a rule that
-/// dims a slope would else pass for a shift.
+/// The picture with the values of POV-Ray's rules at the pixels that registration uses and that
+/// differ by at least `least`. Otherwise a rule that dims a slope would look like a shift.
 Image drawn_anew(Image picture, const ProbeFunction& by_rules, const Mask& skip,
                  const std::vector<double>& differences, double least) {
     for (int y = 0; y < picture.height; ++y) {
@@ -111,7 +111,7 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
     const std::size_t most_outliers = allowed_pixels(limits.outlier_share, result.pixels);
     std::size_t asked = 0;
     std::vector<Offset> offsets;
-    std::vector<DifferentPixel> slight;  // not shown to be anything yet
+    std::vector<DifferentPixel> slight;  // not yet shown to have a cause
     bool coincident = false;
     for (const std::size_t i : asked_about(ours, differences, limits, second)) {
         DifferentPixel pixel;
@@ -131,7 +131,8 @@ Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunc
         }
         if ((may_look || look_again.resolved) && is_ours(pixel, limits, look)) {
             if (may_look) classify(pixel, look, limits, look_again);
-            // An edge that rounding cannot have moved so far explains less than a picture does.
+            // An edge further away than rounding can move it is weaker evidence than the resolved
+            // picture.
             const bool doubtful = pixel.pixel_class == PixelClass::unexplained ||
                                   (is_explained(pixel.pixel_class) &&
                                    std::hypot(pixel.offset.x, pixel.offset.y) > limits.rounding);

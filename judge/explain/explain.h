@@ -1,4 +1,4 @@
-// Two pictures of one scene: which differences must be there, and which are somebody's mistake.
+// Judges two pictures of one scene: which differences are unavoidable, and which are errors.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@
 
 namespace lancer::judge {
 
-/// What two programs must achieve to be called in agreement. All of it in linear light; a scene may
-/// replace single values in its .expect file (validate/expect.h).
+/// What two programs must achieve to count as in agreement, in linear light. A scene may replace
+/// single values in its .expect file (validate/expect.h).
 struct Thresholds {
     /// A pixel that differs by more must be explained.
     double interior = 1e-4;
     std::size_t unexplained = 0;  ///< pixels over `interior` that may remain without an explanation
-    /// `tight_share` of the pixels that hold no edge differ by no more than `tight`; half a step
-    /// of a 16-bit picture is 7.6e-6.
+    /// At least `tight_share` of the pixels without an edge differ by no more than `tight`. Half a
+    /// step of a 16-bit picture is 7.6e-6.
     double tight = 2e-5;
     double tight_share = 0.999;
-    /// An edge explains a pixel when it passes its centre within so many pixels.
+    /// An edge explains a pixel when it passes the pixel's centre within this many pixels.
     double radius = 0.01;
     /// At most this share of the edge pixels may be explained ...
     double explained_share = 0.04;
-    /// ... and at most this share by an edge further away than rounding can put it.
+    /// ... and at most this share by an edge further away than rounding can move it.
     double displaced_share = 0.001;
     double rounding = 1e-4;  ///< pixels
-    /// So far, in pixels, the digits that POV-Ray's solver leaves move what a ray is aimed at.
+    /// How far, in pixels, the limited precision of POV-Ray's solver moves the target of a ray.
     double digits = 1e-7;
-    /// At most this share of all pixels may be outliers, and so many are asked for.
+    /// At most this share of all pixels may be outliers, and at most as many are examined.
     double outlier_share = 1e-4;
     /// The pictures may be shifted against each other by less than this many pixels.
     double shift = 1e-3;
@@ -54,10 +54,10 @@ enum class PixelClass : std::uint8_t {
 };
 inline constexpr std::size_t pixel_classes = 10;
 std::string class_name(PixelClass pixel_class);
-/// Whether the class is given by what POV-Ray, or its rules, are asked besides its picture.
+/// Whether the class depends on what POV-Ray or its rules give beside its picture.
 bool needs_povray(PixelClass pixel_class);
 
-/// A pixel over the interior threshold.
+/// A pixel that differs by more than `interior`.
 struct DifferentPixel {
     int x = 0;
     int y = 0;
@@ -96,49 +96,49 @@ struct Judgement {
     std::size_t count(PixelClass c) const { return counts[static_cast<std::size_t>(c)]; }
 };
 
-/// The other program's picture of the scene in which faces that coincide are told apart as our
-/// contact rule tells them apart.
+/// The other program's picture of the scene whose coincident faces were told apart in the way of
+/// our contact rule.
 struct ResolvedPicture {
     Image theirs;
-    // As in SecondLook, of the scene in which the faces are told apart.
+    // As in SecondLook, for the scene whose faces were told apart.
     ProbeFunction by_rules;
     ProbeFunction without;
 };
 
-/// What is asked of a pixel that differs. All may be empty.
+/// Further evidence about a different pixel. All members may be empty.
 struct SecondLook {
-    // The picture by a recursion that is not our renderer's own.
+    // The picture from a second recursion, not our renderer's own.
     ProbeFunction by_rules;  ///< by the other program's rules: it gives the other program's values
     ProbeFunction without;   ///< the same recursion without them: it gives ours
     /// The other program's picture of 3 x 3 points, `pitch` pixels apart, around the centre of
     /// pixel (x, y). Costs a run of that program.
     std::function<Image(int x, int y, double pitch)> around{};
-    /// Empty where no faces coincide. Costs a run of that program when it is first asked.
+    /// Empty when no faces coincide. Costs a run of that program at the first call.
     std::function<const ResolvedPicture&()> resolved{};
 };
 
-/// Judges `theirs` by `ours`. Both are finite, of one size and have three channels; `probe` gives
-/// `ours` at the pixels' centres. A pixel is a known difference, shown by number, when the second
-/// look has the other program's value by its rules, and ours without them: so it is the rules that
-/// make the difference, and not a fault of our recursion.
+/// Judges `theirs` by `ours`. Both are finite, have the same size and three channels; `probe` gives
+/// `ours` at the pixels' centres. A pixel is a known difference, reported by number, when the
+/// second recursion gives the other program's value by that program's rules, and our value without
+/// them. This shows that the rules cause the difference, and not an error of our recursion.
 ///
-/// Explaining could excuse anything, so it is bounded. Rounding moves an edge by 10^-12 pixel or,
-/// where POV-Ray keeps single precision, by 10^-5: then hardly any pixel lies between the two
-/// edges. A camera that is off by 0.005 pixel flips 0.5 % of the pixels at upright edges, all to
-/// the same side: the count of displaced edges and the mean of the offsets show it. On what is
-/// shaded smoothly it shows as a difference along the gradient, which no edge explains, and by
-/// registration.
+/// Explanations could excuse anything, so they are bounded. Rounding moves an edge by 10^-12 pixel
+/// or, where POV-Ray uses single precision, by 10^-5; then hardly any pixel lies between the two
+/// edges. A camera that is off by 0.005 pixel changes 0.5 % of the pixels at vertical edges, all to
+/// the same side: the count of displaced edges and the mean of the offsets reveal it. On smooth
+/// shading, it causes a difference along the gradient, which no edge explains and registration
+/// finds.
 ///
-/// Where faces coincide, the other program has no rule which of them it finds. It is asked once
-/// more with the faces a hair apart, and must have our value in the pixel then, or what its rules
-/// make of it: so it is not our picture that is wrong.
+/// Where faces coincide, the other program has no rule which of them it finds. It renders once more
+/// with the faces slightly apart. It must then have our value in the pixel, or what its rules make
+/// of our value: so our picture is not the wrong one.
 ///
-/// Where nothing explains a pixel, the other program is asked for what lies around its centre. When
-/// the values to both sides have ours for their mean, in two directions at least, its own picture
-/// denies the pixel: an outlier, as when a solver loses a root.
+/// If nothing explains a pixel, the other program renders the points around its centre. When the
+/// mean of opposite points equals our value, in at least two directions, its own picture
+/// contradicts the pixel: the pixel is an outlier, as when a solver loses a root.
 ///
-/// Explaining a pixel takes thousands of looks. Once they have cost `most_rays`, the pixels that
-/// are left count as unexplained.
+/// Explaining a pixel takes thousands of probes. Once they have cost `most_rays`, the remaining
+/// pixels count as unexplained.
 Judgement judge_pictures(const Image& ours, const Image& theirs, const ProbeFunction& probe,
                          const Thresholds& thresholds, const SecondLook& second = {},
                          std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max());

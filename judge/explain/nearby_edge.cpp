@@ -11,7 +11,8 @@ namespace lancer::judge {
 namespace {
 
 constexpr int directions = 16;
-/// Parts of the radius at which is looked: the smaller ones find what is thinner than the first.
+/// The search circles as fractions of the radius. The smaller ones find features that are thinner
+/// than the first.
 constexpr std::array<double, 4> rings = {1.0, 0.1, 1e-3, 1e-6};
 
 struct Point {
@@ -22,7 +23,7 @@ Point between(const Point& a, const Point& b, double share) {
     return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
 }
 
-/// The two sides of a step, a hair apart.
+/// The two sides of a discontinuity, very close together.
 struct Step {
     Point near_point;
     Point far_point;
@@ -30,17 +31,17 @@ struct Step {
     Probe far_side;
 };
 
-/// Closes in on the place between the centre and `end` where our picture stops being nearer to
-/// itself and starts being nearer to `theirs`.
+/// Bisects between the centre and `end` for the place where our picture becomes nearer to `theirs`
+/// than to its value at the centre.
 Step close_in(const ProbeFunction& probe, const Point& centre, const Probe& at_centre,
               const Point& end, const Probe& at_end, const Color& theirs) {
     const double half = 0.5 * distance(at_centre.color, theirs);
     Step step{centre, end, at_centre, at_end};
-    constexpr double hair = 1e-12;  // a few units in the last place of a pixel's coordinates
+    constexpr double hair = 1e-12;  // a few units in the last place of pixel coordinates
     while (std::hypot(step.far_point.x - step.near_point.x, step.far_point.y - step.near_point.y) >
            hair) {
         const Point middle = between(step.near_point, step.far_point, 0.5);
-        // No number lies between the two any more.
+        // No floating-point number lies between the two.
         const bool stuck = (middle.x == step.near_point.x && middle.y == step.near_point.y) ||
                            (middle.x == step.far_point.x && middle.y == step.far_point.y);
         if (stuck) break;
@@ -53,8 +54,8 @@ Step close_in(const ProbeFunction& probe, const Point& centre, const Probe& at_c
 }
 
 /// True when our picture takes the value `theirs` at the far side of the step or further on towards
-/// `end`. On a limb it changes with the root of the distance, so the looks are spaced
-/// geometrically.
+/// `end`. At a silhouette of a curved surface the value changes with the root of the distance, so
+/// the samples are spaced geometrically.
 bool reaches(const ProbeFunction& probe, const Step& step, const Point& end, const Color& theirs,
              double tolerance) {
     if (distance(step.far_side.color, theirs) <= tolerance) return true;
@@ -77,7 +78,7 @@ EdgeKind kind_of(const Step& step) {
     return a.path != b.path ? EdgeKind::secondary : EdgeKind::texture;
 }
 
-/// The ends of the looks, off the axes, along which exact edges like to lie.
+/// The end points of the search. They avoid the axes, because exact edges often lie along them.
 Point looked_at(const Point& centre, int direction, double radius) {
     const double angle = (direction + 0.37) * tau / directions;
     return {centre.x + radius * elementary::cos(angle), centre.y + radius * elementary::sin(angle)};
@@ -138,7 +139,7 @@ std::optional<NearbyEdge> find_nearby_edge(const ProbeFunction& probe, double x,
             }
         }
         if (nearest) break;
-        // Nothing happens on the largest ring: what is within it is smaller than any pixel sees.
+        // Nothing changes on the largest circle: a feature within it would be too small to matter.
         if (ring == rings.front() && !changes) break;
     }
     return nearest;

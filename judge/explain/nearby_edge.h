@@ -1,4 +1,4 @@
-// May one pixel's difference be put down to an edge that runs through its centre?
+// Can an edge through a pixel's centre explain the pixel's difference?
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace lancer::judge {
 
-/// What changes at an edge, judged by what lies an instant on either side of it.
+/// What changes at an edge, judged by samples very close to it on both sides.
 enum class EdgeKind {
     silhouette,  ///< another object, a jump in depth or a crease
     shadow,      ///< the same surface with other lights
@@ -30,8 +30,8 @@ struct NearbyEdge {
 std::optional<NearbyEdge> find_nearby_edge(const ProbeFunction& probe, double x, double y,
                                            const Color& theirs, double radius, double tolerance);
 
-/// How far from (x, y), in pixels, our picture takes the value `theirs` to within `tolerance`, by
-/// whatever change; nothing when it does not within `radius`.
+/// The distance from (x, y), in pixels, at which our picture takes the value `theirs` to within
+/// `tolerance`, by any kind of change; nothing when it does not within `radius`.
 std::optional<double> reached_at(const ProbeFunction& probe, double x, double y,
                                  const Color& theirs, double radius, double tolerance);
 

@@ -9,7 +9,7 @@ namespace lancer::judge {
 
 namespace {
 
-/// The mean of what lies around a pixel's centre on opposite sides, for four pairs.
+/// The means of opposite points around a pixel's centre, for four pairs.
 using Around = std::array<Color, 4>;
 template <class At>
 Around means(const At& at) {
@@ -20,15 +20,16 @@ Around means(const At& at) {
     return out;
 }
 
-/// Whether two pictures agree around a pixel. One pair can lie along a streak.
+/// Whether two pictures agree around a pixel. Two pairs are needed: a single pair may lie along a
+/// streak.
 bool agree_around(const Around& a, const Around& b, double tolerance) {
     int pairs = 0;
     for (std::size_t i = 0; i < a.size(); ++i) pairs += distance(a[i], b[i]) <= tolerance;
     return pairs >= 2;
 }
 
-/// Whether an edge runs exactly through the centre, where the other program has a third value, and
-/// both agree in all places around it. Ours is the value of one side.
+/// Whether an edge runs exactly through the centre, where the other program has a third value,
+/// while both programs agree at all points around it and our value is that of one side.
 bool is_on_edge(const DifferentPixel& pixel, const ProbeFunction& probe, const Thresholds& limits,
                 const Image& around, double pitch) {
     bool of_one_side = false;
@@ -44,8 +45,8 @@ bool is_on_edge(const DifferentPixel& pixel, const ProbeFunction& probe, const T
     return of_one_side;
 }
 
-/// Whether the other program's value is an outlier in its own picture, which has ours around it, or
-/// what its rules make of ours. `pitch` pixels away from it.
+/// Whether the other program's picture contradicts its own pixel: `pitch` pixels around it, it has
+/// our value or what its rules make of our value.
 bool is_denied(const DifferentPixel& pixel, const ProbeFunction& probe, const Thresholds& limits,
                const SecondLook& second, double pitch) {
     const Image image = second.around(pixel.x, pixel.y, pitch);
@@ -65,7 +66,8 @@ bool is_denied(const DifferentPixel& pixel, const ProbeFunction& probe, const Th
 
 }  // namespace
 
-/// Streaks of a solver that errs may be wider than an edge may be off.
+/// Two distances are tried: a faulty solver leaves streaks that may be wider than the radius for
+/// edges.
 bool is_outlier(const DifferentPixel& pixel, const ProbeFunction& probe, const Thresholds& limits,
                 const SecondLook& second) {
     return is_denied(pixel, probe, limits, second, limits.radius) ||

@@ -25,7 +25,8 @@ bool is_rounding(const NearbyEdge& edge, const Thresholds& limits) {
     return std::hypot(edge.dx, edge.dy) <= limits.rounding;
 }
 
-/// Whether the rules change anything within the radius: a search for edges is thousands of looks.
+/// Whether the rules change anything within the radius. This is tested first because a search for
+/// edges takes thousands of probes.
 bool part_nearby(const ProbeFunction& probe, const ProbeFunction& by_rules, double x, double y,
                  const Thresholds& limits) {
     if (!by_rules) return false;
@@ -87,7 +88,7 @@ void classify(DifferentPixel& pixel, const ProbeFunction& probe, const Threshold
     const bool may_lie_elsewhere =
         edge ? !is_rounding(*edge, limits) : part_nearby(probe, second.by_rules, x, y, limits);
     if (second.by_rules && may_lie_elsewhere) {
-        // The other program follows its own rules behind an edge, too, and where it lies.
+        // The other program applies its own rules beyond an edge, and to the place of the edge.
         const auto by_rules =
             find_nearby_edge(second.by_rules, x, y, pixel.theirs, limits.radius, limits.interior);
         if (by_rules && (!edge || is_rounding(*by_rules, limits))) {
@@ -108,8 +109,8 @@ void explain_told_apart(DifferentPixel& pixel, const ProbeFunction& probe, const
     DifferentPixel apart = pixel;
     apart.theirs = color_at(second.resolved().theirs, pixel.x, pixel.y);
     classify(apart, probe, limits, {});
-    // The first picture, which is not looked at here, may hold anything: only an edge at the very
-    // centre excuses it.
+    // This does not examine the first picture, which may hold anything. So only an edge at the very
+    // centre explains it.
     if (!is_explained(apart.pixel_class) ||
         std::hypot(apart.offset.x, apart.offset.y) > limits.rounding)
         return;

@@ -1,4 +1,4 @@
-// How the judge asks about a point of a picture: the renderer's probe as a function.
+// The renderer's probe as a function: how the judge samples a point of a picture.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace lancer::judge {
 
-/// A ray through (x, y), in pixels from the picture's top left corner: (0.5, 0.5) is the centre of
-/// the first pixel. The colour is in the units of the picture that is judged. Must be a pure
+/// Traces a ray through (x, y), in pixels from the picture's top left corner; (0.5, 0.5) is the
+/// centre of the first pixel. The colour has the units of the judged picture. Must be a pure
 /// function.
 using ProbeFunction = std::function<Probe(double x, double y)>;
 
@@ -20,7 +20,7 @@ inline double distance(const Color& a, const Color& b) {
     return max_component(absolute(a - b));
 }
 
-/// Where a pixel stands in a list of all of them, rows from the top.
+/// The index of a pixel in a list of all pixels, rows from the top.
 inline std::size_t index_of(const Image& image, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
            static_cast<std::size_t>(x);

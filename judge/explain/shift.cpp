@@ -28,7 +28,7 @@ struct NormalEquations {
 
 Shift solve(const NormalEquations& n) {
     const double determinant = n.xx * n.yy - n.xy * n.xy;
-    // Gradients all in one direction, or none: a shift along them cannot be told from no shift.
+    // With all gradients in one direction, or none, a shift is not determined.
     if (n.count < 16 || !(determinant > 1e-9 * n.xx * n.yy)) return {};
     Shift shift;
     shift.count = n.count;
@@ -41,9 +41,10 @@ Shift solve(const NormalEquations& n) {
     return shift;
 }
 
-/// As many standard errors as are as rare in the mean of `count` offsets, whose own spread tells
-/// the error, as `sigmas` are where the error is known: Student, "The Probable Error of a Mean",
-/// Biometrika 6(1) 1908. Of two offsets every fifth pair passes 3.
+/// The quantile of Student's t with the same tail probability as `sigmas` standard deviations of a
+/// normal distribution: the standard error is estimated from the spread of the `count` offsets
+/// themselves. Student, "The Probable Error of a Mean", Biometrika 6(1) 1908. Of two offsets, every
+/// fifth pair would exceed 3.
 double as_few(double sigmas, std::size_t count) {
     const boost::math::normal known;
     const boost::math::students_t estimated(static_cast<double>(count - 1));
@@ -93,7 +94,7 @@ Shift mean_offset(const std::vector<Offset>& offsets) {
         mean.x += o.x / n;
         mean.y += o.y / n;
     }
-    if (offsets.size() < 2) return {0, 0, 0, 0, 0};  // one offset has no error
+    if (offsets.size() < 2) return {0, 0, 0, 0, 0};  // one offset gives no error
     for (const Offset& o : offsets) {
         mean.error_x += (o.x - mean.x) * (o.x - mean.x);
         mean.error_y += (o.y - mean.y) * (o.y - mean.y);

@@ -1,4 +1,4 @@
-// Is one picture the other, moved by a fraction of a pixel?
+// Tests whether one picture is the other, shifted by a fraction of a pixel.
 #pragma once
 
 #include <vector>
@@ -14,19 +14,20 @@ struct Shift {
     double y = 0;
     double error_x = 0;
     double error_y = 0;
-    /// Pixels or offsets that went into it; 0: there was nothing to estimate from.
+    /// The number of pixels or offsets used; 0: nothing could be estimated.
     std::size_t count = 0;
 
     double length() const;
     /// True when the displacement is longer than `least` pixels and, along its own direction,
-    /// longer than `sigmas` of its standard errors; of more where few offsets tell the error.
+    /// longer than `sigmas` standard errors. The factor is larger when few offsets determine the
+    /// error.
     bool is_significant(double least, double sigmas) const;
 };
 
 /// The shift that explains `theirs` best as `theirs(p) = ours(p - shift)`, by least squares over
 /// the pixels that are not in `skip` and have no neighbour there: Lucas and Kanade, "An Iterative
 /// Image Registration Technique with an Application to Stereo Vision", IJCAI 1981, one iteration.
-/// On a shaded surface it finds thousandths of a pixel, long before an edge moves across a pixel's
+/// On a shaded surface it detects thousandths of a pixel, long before an edge crosses a pixel's
 /// centre.
 Shift register_pictures(const Image& ours, const Image& theirs, const Mask& skip);
 

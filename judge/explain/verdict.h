@@ -1,4 +1,4 @@
-// What a whole picture's pixels come to, and whether it passes.
+// Summarizes the pixels of a picture, and decides whether it passes.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace lancer::judge {
 
-/// Everything that is told about pixels away from edges.
+/// Measures the pixels away from edges.
 void measure_interior(Judgement& result, const Mask& edges, const std::vector<double>& differences,
                       const Thresholds& limits);
 
-/// A share of a count as a whole number of pixels; one is always allowed, or a small scene with one
+/// A share of a count as a whole number of pixels, at least one: otherwise a small scene with one
 /// edge exactly through a pixel's centre could never pass.
 std::size_t allowed_pixels(double share, std::size_t of);
 
-/// What is too much, in words, and whether the pictures pass.
+/// Lists in words what exceeds its limit, and decides whether the pictures pass.
 void decide(Judgement& result, const Thresholds& limits);
 
 }  // namespace lancer::judge

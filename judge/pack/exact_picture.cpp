@@ -12,13 +12,14 @@ namespace lancer::judge {
 
 namespace {
 
-// Where render() puts its channels.
+// The channels of Renderer::render().
 constexpr int object_channel = 3;
 constexpr int depth_channel = 4;
 constexpr int normal_channel = 5;
 constexpr int shadow_channel = 8;
 
-/// Two roundings of one value do not lie further apart: what does is an edge, or as steep as one.
+/// Two roundings of one value do not differ by more. A larger difference means an edge, or a slope
+/// as steep as one.
 constexpr double most_rounding = 1e-7;
 
 std::unique_ptr<Renderer> compiled(const Scene& scene, Precision precision) {
@@ -31,7 +32,7 @@ double relative(double a, double b) {
     return std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-300});
 }
 
-/// To the nearest double, and what that may cost.
+/// Adds the error of rounding to the nearest double.
 double with_rounding(double error, double value) {
     return error + std::abs(value) * std::numeric_limits<double>::epsilon();
 }

@@ -1,4 +1,4 @@
-// A picture whose error is known: made twice, in double precision and in extended.
+// A picture with a known error: rendered in double and in extended precision.
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace lancer::judge {
 
-/// The channels of Renderer::render with `aov`, in extended precision, whose rounding is 2,048
-/// times finer: so its distance to double precision is how far double is off, and more than its own
-/// error.
+/// The channels of Renderer::render() with `aov`, in extended precision, which rounds 2,048 times
+/// more finely. So the distance to the double picture bounds the error of double, and is larger
+/// than the error of extended precision.
 struct ExactPicture {
     Image image;
-    std::vector<std::uint8_t> is_undecided;  ///< per pixel: the two number types see other things
-    // The largest distance between the two in the other pixels.
+    /// per pixel: the two number types meet different objects
+    std::vector<std::uint8_t> is_undecided;
+    // The largest distance between the two over all other pixels.
     double color_error = 0;
     double depth_error = 0;  ///< relative
     double normal_error = 0;
@@ -23,8 +24,8 @@ struct ExactPicture {
 
 ExactPicture exact_picture(const Scene& scene, const View& view);
 
-/// Values of chosen pixels' rays, each with its error: as many as asked for, or as there are.
-/// Every object that is seen has one at least, where there are enough.
+/// Values of the rays of chosen pixels, each with its error: `count` of them, or as many as there
+/// are. If `count` allows it, every visible object has at least one.
 Json exact_probes(const Scene& scene, const View& view, const ExactPicture& picture,
                   std::size_t count);
 

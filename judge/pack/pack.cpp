@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* format_name = "lancer-pack 1";
 
-/// {"file", "error"}: the picture's own floats round, too.
+/// {"file", "error"}: the error includes the rounding to the file's floats.
 Json picture_json(PackSink& sink, const Image& image, const char* name, int begin, int count,
                   double error) {
     const std::string file = std::string(name) + ".pfm";
@@ -59,7 +59,7 @@ Pack pack_scene(const ValidationJob& job, std::size_t probes) {
     json["probes"] = exact_probes(scene, view, exact, probes);
     pack.probes = json["probes"].size();
     pack.files = std::move(sink.files);
-    // A scene's names may hold any bytes.
+    // Names in a scene may hold any bytes.
     pack.files.push_back(
         {"scene.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"});
     return pack;

@@ -9,7 +9,7 @@ namespace lancer::judge {
 
 namespace {
 
-/// Calls visit(object) for the scene's objects and for those that its composites are made of.
+/// Calls visit(object) for the scene's objects and for the parts of its composites.
 template <class Visit>
 void for_each_object(Scene& scene, const Visit& visit) {
     for (Object& object : scene.objects) visit(object);
@@ -34,7 +34,7 @@ void leave_out_normals(Scene& scene) {
     scene.settings.smooth = true;
 }
 
-/// What an object's surface asks for itself, or what the whole scene asks of such surfaces.
+/// The tolerance of an object's own surface, or the one that the scene sets for such surfaces.
 struct ToleranceOf {
     const Scene& scene;
 

@@ -1,4 +1,4 @@
-// The scene that a pack holds.
+// The scene that a pack contains.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace lancer::judge {
 
-/// A scene that needs no settings to say what it shows: where they leave out textures, materials
-/// have their plain colours, and where they leave out smooth normals there are none. Surfaces are
-/// true ones; each that asked for a tolerance is a warning.
+/// A scene whose picture needs no settings: if they switch off textures, its materials have plain
+/// colours; if they switch off smooth normals, it has none. All surfaces are exact; each that had a
+/// tolerance causes a warning.
 Scene as_packed(const Scene& scene, std::vector<Diagnostic>& warnings);
 
-/// Gives the scene's images the numbers that a pack's files hold, floats: so its probes are of
-/// what the reader has.
+/// Rounds the scene's images to the floats of a pack's files, so that its probes use the reader's
+/// values.
 void round_images(Scene& scene);
 
 }  // namespace lancer::judge

@@ -22,8 +22,8 @@ inline Json to_json(const Vec2d& v) {
     return {v.x, v.y};
 }
 
-/// Collects the files that a scene's data name, and knows its bodies and where its objects stand
-/// in the script.
+/// Collects the files that a scene's data refer to. Knows which objects are bodies, and the places
+/// of objects in the script.
 struct PackSink {
     PackSink(const Scene& scene, std::function<std::string(const SourceSpan&)> places)
         : bodies(scene), place_text(std::move(places)) {}
@@ -33,12 +33,12 @@ struct PackSink {
     std::function<std::string(const SourceSpan&)> place_text;  ///< may be empty
 };
 
-/// {"kind": "sphere", "center": [...], ...}: docs of each in the pack's README. Meshes become
+/// {"kind": "sphere", "center": [...], ...}: the pack's README describes each kind. Meshes become
 /// files.
 Json shape_json(const Scene& scene, const Object& object, PackSink& sink);
 Json object_json(const Scene& scene, const Object& object, PackSink& sink);
 
-/// Everything but pictures and probes: camera, lights, materials, textures, images, objects.
+/// Everything except pictures and probes: camera, lights, materials, textures, images, objects.
 Json scene_json(const Scene& scene, std::size_t camera, PackSink& sink);
 
 }  // namespace lancer::judge

@@ -39,8 +39,8 @@ std::string numbers_line(const char* word, std::initializer_list<double> numbers
     return line + "\n";
 }
 
-/// A mesh as Wavefront OBJ, with as many digits as its numbers have. Where it has no normals and
-/// asks for some, they are the averages that a renderer would make.
+/// A mesh as Wavefront OBJ, with as many digits as its numbers need. If it is smooth but has no
+/// normals, the file has the averaged normals that a renderer would use.
 std::string obj_text(const Mesh& given, bool smooth) {
     std::optional<Mesh> averaged;
     if (smooth && given.normals.empty()) averaged = with_averaged_normals(given);
@@ -96,7 +96,7 @@ class ShapeWriter {
         });
         return json;
     }
-    // The others name what stands elsewhere.
+    // The other shapes refer to data stored elsewhere.
     Json operator()(const Triangle& t) const {
         Json json{{"kind", "triangle"}, {"points", list_json(t.points)}};
         if (t.attributes == none) return json;

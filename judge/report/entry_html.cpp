@@ -14,9 +14,9 @@ namespace lancer::judge {
 
 namespace {
 
-/// More circles than this hide the picture; the first ones are the largest differences.
+/// More circles hide the picture. The first ones are the largest differences.
 constexpr std::size_t most_circles = 60;
-/// Lines in the list of the worst pixels.
+/// The number of lines in the list of the worst pixels.
 constexpr std::size_t most_listed = 12;
 
 std::string entry_id(std::size_t rank) {
@@ -47,7 +47,7 @@ std::string circles(const ReportEntry& entry) {
     return svg + "</svg>";
 }
 
-/// Below the heat map: its colours with numbers, and what the circles stand for.
+/// The legend below the heat map: its colours with numbers, and the meaning of the circles.
 std::string heat_legend(const ReportEntry& entry) {
     const auto srgb = [](double v) {
         const double encoded =
@@ -111,7 +111,7 @@ std::string channels(const Color& c) {
     return fmt::format("{:.6f} {:.6f} {:.6f}", c.x, c.y, c.z);
 }
 
-/// Filled by the page's script: both pictures around a place, and their values there.
+/// The page's script fills this in: both pictures around a place, and their values there.
 std::string loupe(const ReportEntry& entry, const Report& report) {
     if (entry.heat.png.empty()) return {};
     std::string html = fmt::format(
@@ -206,7 +206,7 @@ std::string evidence(const ReportEntry& entry) {
     return html + "</details>";
 }
 
-/// What the search looks at.
+/// The text that the page's search examines.
 std::string searchable(const ReportEntry& entry) {
     std::string text = entry.name + ' ' + verdict_name(entry.verdict);
     for (const std::string& reason : entry.reasons) text += ' ' + reason;

@@ -15,7 +15,7 @@ ExactValues exact_values(const Image& image) {
     for (std::size_t i = 0; i < image.data.size(); ++i) {
         const double value = std::isfinite(image.data[i]) ? std::clamp(image.data[i], 0.0, 1.0) : 0;
         const long steps = std::lround(value * 65535);
-        // The file holds sRGB: what its byte shall be is decoded first.
+        // The file stores sRGB, so each byte is decoded to the light that encodes to it.
         high.data[i] = srgb_decode(static_cast<double>(steps / 256) / 255);
         low.data[i] = srgb_decode(static_cast<double>(steps % 256) / 255);
     }

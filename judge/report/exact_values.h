@@ -1,4 +1,4 @@
-// The values of two pictures in a form that a page's script can read: for its loupe.
+// The values of two pictures in a form that a page's script can read, for its loupe.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace lancer::judge {
 
-/// Two 8-bit PNGs: the high and the low bytes of 16-bit values. A browser's canvas gives 8 bits of
-/// a channel, whatever the file holds.
+/// Two 8-bit PNGs: the high and the low bytes of 16-bit values. The canvas of a browser gives only
+/// 8 bits per channel, whatever the file holds.
 struct ExactValues {
     std::string high;  ///< empty: not given
     std::string low;

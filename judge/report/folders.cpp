@@ -57,7 +57,7 @@ void add_measures(ReportEntry& entry, const reference::Comparison& c,
     if (options.flip) plain("FLIP", c.flip);
 }
 
-/// The largest differences.
+/// Marks the largest differences.
 void add_markers(ReportEntry& entry, const Image& a, const Image& b,
                  const reference::CompareOptions& options) {
     constexpr std::size_t most = 500;

@@ -1,4 +1,4 @@
-// Two folders of pictures, paired by name: whatever made them.
+// Compares two folders of pictures, paired by name, whatever programs made them.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace lancer::judge {
 
-/// The measures of one pair, for programs.
+/// The measures of one pair, for JSON.
 struct PairResult {
     std::string name;
     Verdict verdict = Verdict::failed;
@@ -35,10 +35,10 @@ std::set<std::string> pictures_in(const std::string& folder);
 /// The mask of a pair of pictures, by its name; may be empty. It may throw FileError.
 using MaskOf = std::function<reference::PixelMask(const std::string& name)>;
 
-/// Compares each file of `a` that is named like a picture (png, exr, hdr, tif, tiff, jpg, jpeg,
-/// ppm) with the file of the same name in `b`, sub-folders included. A picture that only one folder
-/// has fails, and so does one that cannot be read. `on_pair`, if any, is told each name and its
-/// verdict. Throws FileError when a folder cannot be listed or holds no picture at all.
+/// Compares each picture of `a` (png, exr, hdr, tif, tiff, jpg, jpeg, ppm) with the file of the
+/// same name in `b`, including sub-folders. A picture that only one folder has fails, and so does
+/// an unreadable one. `on_pair`, if any, receives each entry with its verdict. Throws FileError
+/// when a folder cannot be listed or holds no picture at all.
 FolderComparison compare_folders(const std::string& a, const std::string& b,
                                  const reference::CompareOptions& options,
                                  const std::function<void(const ReportEntry&)>& on_pair = {},

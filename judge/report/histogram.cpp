@@ -33,7 +33,7 @@ std::size_t bar_of(double difference) {
     return static_cast<std::size_t>(std::clamp(place, -1.0, bars - 2.0) + 1);
 }
 
-/// The first bar holds what is below the scale, so the scale begins one bar to the right.
+/// The first bar holds all smaller differences, so the scale begins one bar to the right.
 double x_of(double log_difference) {
     const double bar = (width - left) / bars;
     return left + bar * (1 + (log_difference - lowest_decade) * per_decade);
@@ -47,7 +47,7 @@ std::string histogram_svg(const std::vector<double>& differences,
     for (const double d : differences) ++counts[bar_of(d)];
     const double most = std::max(1.0, std::ceil(log10_of(static_cast<double>(std::max<std::size_t>(
                                           1, *std::max_element(counts.begin(), counts.end()))))));
-    // A single pixel must be seen: the axis begins below it.
+    // A single pixel must be visible, so the axis begins below it.
     const auto y_of = [&](double count) {
         return floor_y - (floor_y - top) * (log10_of(count) + 0.3) / (most + 0.3);
     };
@@ -82,7 +82,7 @@ std::string histogram_svg(const std::vector<double>& differences,
         svg += fmt::format("<text x=\"{:.1f}\" y=\"{:g}\" text-anchor=\"{}\">1e{}</text>",
                            x_of(decade), floor_y + 14, decade == 0 ? "end" : "middle", decade);
     }
-    int labelled = 0;  // labels stand one below the other: the marks may be near each other
+    int labelled = 0;  // labels stand below each other, since marks may be close together
     for (const double mark : marks) {
         if (!(mark > 1e-7)) continue;
         svg += fmt::format(

@@ -1,4 +1,4 @@
-// Text that may stand in HTML.
+// Text for use in HTML.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@ namespace lancer::judge {
 /// `text` with & < > " ' as entities: safe in elements and in quoted attributes.
 std::string escaped(std::string_view text);
 
-/// A file name as a relative address: all but letters, digits and -._ in percent.
+/// A file name as a relative URL: all characters but letters, digits and -._ are percent-encoded.
 std::string url_of(std::string_view name);
 
-/// RFC 4648, with padding.
+/// Base64 by RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
-/// A number for people: `digits` significant ones, exponents without padding (2e-5).
+/// A number for people: `digits` significant digits, exponents without padding (2e-5).
 std::string shown(double value, int digits = 3);
 
-/// Letters, digits, `-`: for ids and class names.
+/// Keeps letters, digits and `-`: for ids and class names.
 std::string slug(std::string_view text);
 
 }  // namespace lancer::judge

@@ -11,7 +11,7 @@ namespace lancer::judge {
 
 namespace {
 
-/// XML 1.0 has no control characters but tab and line ends, not even as entities.
+/// XML 1.0 allows no control characters but tab and line ends, not even as entities.
 std::string xml(std::string text) {
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') c = '?';

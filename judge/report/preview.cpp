@@ -7,7 +7,7 @@ namespace lancer::judge {
 
 namespace {
 
-/// Each pixel the mean of four; an odd last row or column counts twice.
+/// Each pixel is the mean of four; an odd last row or column counts twice.
 Image halved(const Image& image) {
     Image half((image.width + 1) / 2, (image.height + 1) / 2, image.channels);
     for (int y = 0; y < half.height; ++y) {

@@ -108,7 +108,7 @@ void sort_markers(std::vector<Marker>& markers) {
 
 namespace {
 
-/// What remains of `most_bytes`, in bytes before base64.
+/// Limits the exact values, and returns what remains of `most_bytes`, in bytes before base64.
 std::size_t fit_values(Report& report, std::size_t most_bytes) {
     std::vector<ReportEntry*> entries;
     std::size_t all = 0;
@@ -138,7 +138,7 @@ void fit(Report& report, std::size_t most_bytes) {
             if (!p->png.empty()) previews.push_back(p);
         }
     }
-    // The limit for which all of them would just fit, were those above it exactly as large.
+    // Finds the limit for which all previews would just fit if the larger ones were cut to it.
     std::sort(previews.begin(), previews.end(),
               [](const Preview* a, const Preview* b) { return a->png.size() < b->png.size(); });
     // base64 makes four characters of three bytes.
@@ -158,7 +158,7 @@ std::string to_html(const Report& report) {
                          if (a->verdict != b->verdict) return a->verdict < b->verdict;
                          return a->urgency > b->urgency;
                      });
-    // One pair needs no list: its verdict and its pictures come first.
+    // For a single pair there is no list: its verdict and its pictures come first.
     std::string html =
         head(report) + fmt::format("<div class=\"{}\">\n", ordered.size() == 1 ? "one" : "many") +
         introduction(report) + controls(report) + "<main>\n" + overview(report, ordered);

@@ -1,5 +1,5 @@
-// Pictures side by side, with the evidence, in one file that opens in any browser without a
-// network.
+// A report with pictures side by side and the evidence, in one file that any browser can open
+// without a network.
 #pragma once
 
 #include <string>
@@ -18,14 +18,14 @@ struct Preview {
     int height = 0;
 };
 
-/// `image` (linear light, 1, 3 or 4 channels) as a preview of at most `most_bytes`: halved until it
-/// fits.
+/// `image` (linear light, 1, 3 or 4 channels) as a preview, halved until it has at most
+/// `most_bytes`.
 Preview preview_of(const Image& image, std::size_t most_bytes = 400'000);
 
-/// Halves a preview until it fits; it is never made less than 32 pixels wide.
+/// Halves a preview until it fits, but not below a width of 32 pixels.
 void shrink(Preview& preview, std::size_t most_bytes);
 
-/// A number that was achieved, and what it had to be.
+/// A value that was achieved, and its requirement.
 struct Measure {
     std::string name;
     std::string achieved;
@@ -33,7 +33,7 @@ struct Measure {
     bool ok = true;
 };
 
-/// A pixel worth pointing at.
+/// A pixel that the report points at.
 struct Marker {
     int x = 0;
     int y = 0;
@@ -44,23 +44,23 @@ struct Marker {
     Color right{0, 0, 0};
 };
 
-/// Puts the first in front that a reader must see: the unexplained, of these the largest.
+/// Sorts markers by importance: unexplained pixels first, then by decreasing difference.
 void sort_markers(std::vector<Marker>& markers);
 
-/// A file that stands beside the page.
+/// A file beside the page.
 struct ReportFile {
     std::string name;  ///< without folders
     std::string label;
     std::string bytes;
 };
 
-/// A label and what there is to say; a text of several lines is shown as it stands.
+/// A label and its text; a text of several lines keeps its line breaks.
 struct Note {
     std::string label;
     std::string text;
 };
 
-/// What was found of one pair, worst first.
+/// The verdict on one pair, worst first.
 enum class Verdict {
     failed,  ///< one of the pictures could not be made or read
     differs,
@@ -87,7 +87,7 @@ struct ReportEntry {
     std::vector<ReportFile> files;
     double left_seconds = 0;  ///< 0: not measured
     double right_seconds = 0;
-    /// Within a verdict what is larger comes first.
+    /// Within a verdict, larger values come first.
     double urgency = 0;
 };
 
@@ -95,25 +95,25 @@ struct Report {
     std::string title;
     std::string left_name;   ///< "Lancer"
     std::string right_name;  ///< "POV-Ray"
-    /// Of the table at the top, after name and verdict.
+    /// Headings of the table at the top, after name and verdict.
     std::vector<std::string> columns;
     std::vector<Note> about;              ///< colour pipelines, versions, the rules of judgement
     std::vector<double> histogram_marks;  ///< thresholds to draw into the histograms
     std::vector<ReportEntry> entries;     ///< in any order
 };
 
-/// The whole page. Entries stand in the order in which they need to be looked at.
+/// The whole page. Entries are sorted by urgency.
 std::string to_html(const Report& report);
 
-/// Leaves out the largest of the exact values, which may take half of the page, then makes the
-/// largest previews coarser until all takes no more than `most_bytes` of the page.
+/// Drops the largest exact values, which may take half of the page. Then makes the largest previews
+/// coarser until all take no more than `most_bytes` of the page.
 void fit(Report& report, std::size_t most_bytes);
 
-/// What the pictures of a written report may take: with its text it stays below 10 MB.
+/// The limit on the pictures of a written report. With its text, the report stays below 10 MB.
 inline constexpr std::size_t report_bytes = 8'500'000;
 
-/// Writes to_html() to `folder`/index.html, and the entries' files beside it, making the folder
-/// when it is missing; the previews are made to fit report_bytes. Throws FileError.
+/// Writes to_html() to `folder`/index.html and the entries' files beside it. Creates the folder
+/// when it is missing, and limits the previews to report_bytes. Throws FileError.
 void write_report(Report report, const std::string& folder);
 
 }  // namespace lancer::judge

@@ -1,11 +1,11 @@
-// Words of a command line that a shell reads back as they are.
+// Quotes words of a command line for a shell.
 #pragma once
 
 #include <string>
 
 namespace lancer::judge {
 
-/// `word`, in quotes where a POSIX shell would take it apart.
+/// `word`, in quotes if a POSIX shell would change it.
 inline std::string shell_quoted(const std::string& word) {
     constexpr const char* plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,%@";

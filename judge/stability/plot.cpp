@@ -11,7 +11,7 @@
 namespace lancer::judge {
 namespace {
 
-// Okabe and Ito's palette, told apart by the colour-blind too.
+// The palette of Okabe and Ito, which colour-blind readers can distinguish.
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr int color_count = 6;
 
@@ -24,7 +24,7 @@ constexpr double bottom = 34;
 constexpr double head = 58;
 constexpr double none_row = 22;  ///< height of the line for "none"
 
-/// A step between labels that leaves at most eight of them.
+/// The label step that gives at most eight labels.
 int label_step(int span) {
     for (const int step : {1, 2, 5, 10, 20, 25, 50, 100, 200})
         if (span / step <= 8) return step;
@@ -103,7 +103,7 @@ class PanelDrawing {
 
     std::string line(const PlotSeries& series, std::size_t index) const {
         const char* color = colors[series.color % color_count];
-        // Lines that run on the same line stay apart.
+        // Moves curves apart that would cover each other.
         const double aside =
             (static_cast<double>(index) - static_cast<double>(panel_.series.size() - 1) / 2) * 2;
         std::string points;

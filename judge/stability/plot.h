@@ -1,4 +1,4 @@
-// Shares of wrong pixels against an exponent, drawn as SVG.
+// Plots the share of wrong pixels against an exponent, as SVG.
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ struct PlotPanel {
     std::vector<PlotSeries> series;
 };
 
-/// Panels side by side, `columns` in a row, in a logarithmic scale from one pixel of `pixels` to
-/// all of them, with "none" on a line of its own below. One legend at the top.
+/// Panels side by side, `columns` in a row. The vertical scale is logarithmic, from one pixel of
+/// `pixels` to all of them, with a line for "none" below. One legend at the top.
 std::string plot_svg(const std::string& title, const std::vector<PlotPanel>& panels,
                      std::size_t pixels, int columns);
 

@@ -1,4 +1,4 @@
-// POV-Ray on the same scene at other sizes, without the exporter's help.
+// Renders the same scene at other sizes in POV-Ray, without the export scale.
 #include <algorithm>
 
 #include "judge/stability/stability.h"
@@ -7,7 +7,7 @@
 namespace lancer::judge {
 namespace {
 
-// Around the best size POV-Ray is right over six powers of ten or so; these show both ends.
+// Around the best size POV-Ray is right over about six powers of ten; these limits show both ends.
 constexpr int smaller = 9;
 constexpr int larger = 7;
 

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An entry is one line "lancer-stability 1 <digest of the rest>", one of numbers, and why there is
-// no picture.
+// An entry is one line "lancer-stability 1 <digest of the rest>", a line of numbers, and the reason
+// if there is no picture.
 constexpr std::string_view magic = "lancer-stability 1 ";
 
 fs::path entry_path(const SampleCache& cache, Change change, int exponent) {
@@ -54,7 +54,7 @@ void keep_sample(const SampleCache& cache, Change change, const Sample& sample) 
                     sample.right, sample.most, sample.failure);
     try {
         io::write_file(path.string(), fmt::format("{}{}\n", magic, sha256(rest)) + rest);
-    } catch (const FileError&) {  // as said
+    } catch (const FileError&) {  // a failure only costs time
     }
 }
 

@@ -1,4 +1,4 @@
-// Samples of stability that were taken already, kept by what they were made from.
+// A cache of stability samples, keyed by all that they depend on.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace lancer::judge {
 
-/// The sample that the cache has of this change; nothing when there is none or it is not whole.
+/// The cached sample of this change; nothing when there is none or it is incomplete.
 std::optional<Sample> kept_sample(const SampleCache& cache, Change change, int exponent);
 
-/// Keeps the sample, in one step. A cache that cannot be written costs time, not the result.
+/// Stores the sample atomically. A failure to write costs time, not the result.
 void keep_sample(const SampleCache& cache, Change change, const Sample& sample);
 
 }  // namespace lancer::judge

@@ -33,7 +33,7 @@ KindOfChange kind_of(Change change) {
     return {"", 0};
 }
 
-/// Of the camera from what it looks at.
+/// The distance of the camera from its look_at point.
 double viewing_distance(const Camera& camera) {
     const Vec3d view = camera.look_at - camera.position;
     const double largest = max_component(absolute(view));
@@ -245,7 +245,7 @@ Window StabilityTest::run(const Trial& trial) {
     } else if (trial.change == Change::axes) {
         for (int k = 1; k <= 2 && going_on; ++k) going_on = look(window, k);
     } else {
-        // What was asked for comes first, should time run out.
+        // The exponents that the user asked for come first, in case time runs out.
         for (const int k : trial.also) going_on = going_on && look(window, k);
         if (options_.every || trial.change == Change::distance)
             going_on = going_on && look(window, trial.change == Change::distance ? 0 : trial.low);

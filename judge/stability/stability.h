@@ -1,8 +1,8 @@
-// How far a scene can be changed before its picture changes: its safe window.
+// Finds how far a scene can be changed before its picture changes: its safe window.
 //
-// A picture should not depend on the unit of length, on where the origin is, on what the axes are
-// called, on how far the camera stands when its angle shrinks alike. In floating point it does, at
-// the latest where the scene's own numbers lose their digits.
+// A picture should not depend on the unit of length, on the origin, on the names of the axes, or on
+// the camera's distance when its angle shrinks with it. In floating point it does, at the latest
+// where the scene's own numbers lose their digits.
 #pragma once
 
 #include <cstddef>
@@ -30,12 +30,13 @@ enum class Change {
 inline constexpr Change all_changes[] = {Change::scale,    Change::twos, Change::shift,
                                          Change::distance, Change::axes, Change::extended};
 
-/// `scale` and so on: the word of the command line and of the JSON.
+/// `scale` and so on: the name on the command line and in JSON.
 const char* name_of(Change change);
-/// Of the factor, or of the length for `shift`: 2 or 10; 0 for those that know no more or less.
+/// The base of the factor, or of the length for `shift`: 2 or 10. It is 0 for changes that have no
+/// exponent.
 int base_of(Change change);
 
-/// One change, and how far it is tried. `axes` and `extended` know no more or less.
+/// One change and the range in which it is tried. `axes` and `extended` have no range.
 struct Trial {
     Change change = Change::scale;
     int low =
@@ -43,7 +44,7 @@ struct Trial {
     int high = 0;           ///< greatest exponent, >= low; for all but `shift` >= 0
     std::vector<int> also;  ///< exponents to be looked at whatever the search thinks
 
-    /// The exponent that leaves the scene as it is; for `shift` the one before the first.
+    /// The exponent that leaves the scene unchanged; for `shift` the one before the first.
     int origin() const { return change == Change::shift ? low - 1 : 0; }
 };
 
@@ -56,28 +57,28 @@ struct Sample {
     bool right = false;
 };
 
-/// What was found out about one change.
+/// The result for one change.
 struct Window {
     Trial trial;
     std::vector<Sample> samples;  ///< by exponent, each once; the unchanged scene is not among them
-    /// The window's ends: from the origin to here every sample is right. The origin itself when
-    /// already the first step is wrong. Unused for `axes` and `extended`.
+    /// The window's ends: every sample from the origin to here is right. Equal to the origin when
+    /// the first step is already wrong. Unused for `axes` and `extended`.
     int lowest = 0;
     int highest = 0;
     bool cut_short = false;  ///< no time was left for the rest
 
-    /// Whether `low` and `high` (or the origin) were looked at and all between them is right.
+    /// Whether `low` and `high` (or the origin) were tried and all samples between them are right.
     bool holds(int low, int high) const;
     /// Whether every sample is right and none is missing.
     bool holds() const;
 };
 
 struct StabilityOptions {
-    /// A pixel is wrong when a channel, clipped to 0..1, is off by more than this (linear light).
+    /// A pixel is wrong when the error of a channel, clipped to 0..1, exceeds this (linear light).
     double fail = 1.0 / 255;
-    /// A picture is right when no more than this percentage of its pixels are wrong.
+    /// A picture is right when at most this percentage of its pixels are wrong.
     double fail_percent = 0;
-    /// Look at every exponent, also beyond the window, instead of searching for its ends.
+    /// Try every exponent, even beyond the window, instead of searching for its ends.
     bool every = false;
 };
 
@@ -87,28 +88,29 @@ using PreciseRenderer = std::function<Image(const Scene& scene, Precision precis
 /// Lancer's renderer, for this view of each scene.
 PreciseRenderer renderer_of(const reference::ExportView& view);
 
-/// Where samples are kept that were taken already.
+/// The cache of samples.
 struct SampleCache {
     std::string folder;  ///< empty: nowhere
-    /// All that decides a sample beside its change: the scene, the view, the options, the program
-    /// itself. Hashed.
+    /// All that a sample depends on beside its change: the scene, the view, the options, the
+    /// program itself. It is hashed.
     std::string content;
     bool grows = false;  ///< new samples are kept
 };
 
 class StabilityTest {
   public:
-    /// \param may_go_on  asked before every picture; once false, what is open stays open
+    /// \param may_go_on  called before every picture; after false, the remaining samples are not
+    /// taken
     StabilityTest(const Scene& scene, PreciseRenderer renderer, const StabilityOptions& options,
                   std::function<bool()> may_go_on, SampleCache cache = {});
 
-    /// Throws SceneError when the scene as it is cannot be rendered. Tries one change, with few
-    /// pictures: exponents 1, 2, 4, 8 … until one is wrong, then halves. What is wrong only between
-    /// exponents that were right is not found; `every` looks at all.
+    /// Tries one change with few pictures: exponents 1, 2, 4, 8 … until one is wrong, then bisects.
+    /// An error that occurs only between two right exponents is not found; `every` tries all.
+    /// Throws SceneError when the unchanged scene cannot be rendered.
     Window run(const Trial& trial);
 
   private:
-    /// Looks at one exponent, unless it was looked at; false when no time is left.
+    /// Tries one exponent, unless it was tried before; false when no time is left.
     bool look(Window& window, int exponent);
     Sample sample_of(Change change, int exponent);
     bool look_for_end(Window& window, int limit);
@@ -124,19 +126,19 @@ class StabilityTest {
 /// The scene with all lengths times 10^k, and so on for the other changes.
 Scene changed(const Scene& scene, Change change, int exponent);
 
-/// How far each change is tried when nobody says. `shift` begins at the picture's own size: the
-/// first camera's distance from what it looks at.
+/// The default range of each change. `shift` begins at the picture's own size: the first camera's
+/// distance from its look_at point.
 Trial default_trial(const Scene& scene, std::uint32_t camera, Change change);
 
-/// 10^k to the last bit.
+/// 10^k, correct to the last bit.
 double power_of_ten(int exponent);
 
-/// `wrong` and so on of one picture against another of the same size.
+/// Counts wrong pixels of one picture against another of the same size.
 Sample compare_to(const Image& reference, const Image& image, int exponent,
                   const StabilityOptions& options);
 
-/// POV-Ray's pictures of the scene's lengths times 10^k, against its own picture at the size that
-/// the exporter chooses for it, for exponents around that.
+/// POV-Ray's pictures of the scene with lengths times 10^k, compared with its own picture at the
+/// size that the exporter chooses, for exponents around that size.
 struct PovRayWindow {
     std::vector<Sample> samples;
     int best = 0;  ///< exponent that the exporter chooses

@@ -42,7 +42,8 @@ std::string pixels_text(std::size_t count) {
     return fmt::format("{} pixel{}", count, count == 1 ? "" : "s");
 }
 
-/// What is seen at the first step out of the window, or that it ends with what was tried.
+/// Describes the first wrong sample beyond the window, or says that the window ends with the range
+/// tried.
 std::string beyond(const std::vector<Sample>& samples, Change change, int end, int sign,
                    std::size_t pixels) {
     const Sample* s = sample_at(samples, end + sign);

@@ -1,4 +1,4 @@
-// What was found out about a scene's safe window: as a table, one sentence, JSON, and a plot.
+// A scene's safe window as a table, one sentence, JSON, and a plot.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace lancer::judge {
 
-/// A window that somebody asks for.
+/// A window that the user requires.
 struct WindowDemand {
-    std::string text;  ///< as it was asked for
+    std::string text;  ///< as the user wrote it
     bool held = false;
 };
 
@@ -33,22 +33,23 @@ struct StabilityReport {
 /// `1e-7`, `2^-40`, `1`: a power as people write it.
 std::string power_text(Change change, int exponent);
 
-// The table, line by line as it becomes known: per change where it is right, and what happens at
-// the first step beyond.
+// The table, line by line as results arrive: for each change, where the picture is right, and what
+// happens at the first step beyond.
 std::string stability_head(const StabilityReport& report);
 std::string stability_row(const StabilityReport& report, const Window& window);
 std::string stability_row(const StabilityReport& report, const PovRayWindow& povray);
-/// What was demanded, and the marks' meaning.
+/// The result of each requirement, and the meaning of the marks.
 std::string stability_foot(const StabilityReport& report);
 
 /// "right from 1e-7 to 1e11 times its size, …; POV-Ray from 1e-2 to 1e3", without a full stop.
 std::string stability_sentence(const StabilityReport& report);
 
-/// Everything, every sample too. Ends with a line feed. docs/stability.md has the keys.
-/// Several reports: an object with the list of them as `scenes`.
+/// Everything, including every sample; docs/stability.md describes the keys. Ends with a line feed.
+/// Several reports become an object with a list, `scenes`.
 std::string stability_json(const std::vector<StabilityReport>& reports);
 
-/// Wrong pixels against the exponent, one panel per change that has one. An SVG document.
+/// Wrong pixels against the exponent, one panel for each change that has exponents. An SVG
+/// document.
 std::string stability_plot(const StabilityReport& report);
 
 }  // namespace lancer::judge

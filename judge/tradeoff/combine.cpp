@@ -9,10 +9,10 @@
 namespace lancer::judge {
 namespace {
 
-constexpr double least_gain = 0.97;           // of the rays that a knob must leave
-constexpr double least_time = 0.9;            // of the time, where rays do not tell it
-constexpr double faster = 0.8;                // what is then taken for that share
-constexpr double worst_square = 0.05 * 0.05;  // of an error that is worth a look
+constexpr double least_gain = 0.97;           // a knob must reduce the rays to this share
+constexpr double least_time = 0.9;            // or the time, when it saves no rays
+constexpr double faster = 0.8;                // the share then assumed for the time
+constexpr double worst_square = 0.05 * 0.05;  // the largest squared error of interest
 
 struct Candidate {
     TradeSetting setting;
@@ -20,9 +20,9 @@ struct Candidate {
     int turned = 0;       ///< knobs beside the samples
 };
 
-/// Of the base's cost. Where a knob saves rays, their numbers tell it without the clock's noise.
-/// Where it saves time alone, the clock says whether it does, and not how much, or its noise would
-/// choose other combinations in each run.
+/// The cost as a share of the base's. When a knob saves rays, their numbers give it without the
+/// noise of the clock. When it saves only time, the clock decides whether it does, but not how
+/// much: its noise would otherwise choose other combinations in each run.
 double share_of_cost(const KnobEffect& e, const KnobEffect& base) {
     switch (e.setting.knob) {
         case Knob::max_depth:
@@ -34,7 +34,7 @@ double share_of_cost(const KnobEffect& e, const KnobEffect& base) {
     }
 }
 
-/// Of all that promise something, as many as are wanted, at even distances in the error.
+/// Selects up to `most` candidates, spread evenly over the logarithm of the error.
 std::vector<Candidate> thinned(const std::vector<Candidate>& all, std::size_t most) {
     if (all.size() <= most) return all;
     const double first = std::log(all.front().expected.error);
@@ -79,7 +79,8 @@ std::vector<TradeSetting> promising(const TurnedScene& turned, const KnobEffect&
                 all.push_back(std::move(c));
             }
         }
-        // What is beaten now stays so: the other knobs do the same to both.
+        // A combination that is beaten now stays beaten: the other knobs change both in the same
+        // way.
         std::vector<TradePoint> points;
         points.reserve(all.size());
         for (const Candidate& c : all) points.push_back(c.expected);

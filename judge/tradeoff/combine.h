@@ -1,4 +1,4 @@
-// Which combinations of knobs promise something, by what each does alone.
+// Chooses promising combinations of knobs from the effect of each knob alone.
 #pragma once
 
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace lancer::judge {
 
-/// What was measured of a setting, for guessing.
+/// The measurements of a setting, for predictions.
 struct KnobEffect {
     TradeSetting setting;
     double rays = 0;         ///< of all kinds
     double mean_square = 0;  ///< error
     double cut = 0;          ///< mean squared difference from the base, at the same points
-    /// Share of the base's time where rays do not tell it: by its digits or its surfaces.
+    /// Share of the base's time, for knobs whose effect rays do not show: precision, surfaces.
     double time = 1;
 };
 
-/// Combinations of one number of samples with one turn of each other knob that nothing should beat
-/// if costs multiply and squared errors add, and worth a look (an RMSE up to 0.05): at most `most`,
-/// spread evenly over the errors, none that `singles` holds. `base` is where the other knobs were
-/// turned.
+/// Combinations of one number of samples with at most one value of each other knob. They are those
+/// that no other combination beats, assuming that costs multiply and squared errors add, and whose
+/// RMSE is at most 0.05. Returns at most `most`, spread evenly over the errors, and none that
+/// `singles` contains. The other knobs were measured on `base`.
 std::vector<TradeSetting> promising(const TurnedScene& turned, const KnobEffect& base,
                                     const std::vector<KnobEffect>& singles, std::size_t most);
 

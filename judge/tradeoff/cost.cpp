@@ -25,7 +25,7 @@ double wall_seconds() {
         .count();
 }
 
-/// A line such as `VmHWM: 123 kB` of /proc/self/status, in bytes.
+/// The value of a line such as `VmHWM: 123 kB` of /proc/self/status, in bytes.
 std::optional<std::uint64_t> status_bytes(const std::string& name) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);) {
@@ -39,7 +39,7 @@ std::optional<std::uint64_t> status_bytes(const std::string& name) {
     return std::nullopt;
 }
 
-/// Has the system forget the largest memory up to now.
+/// Resets the system's record of the peak memory.
 bool reset_peak() {
     std::ofstream clear("/proc/self/clear_refs");
     clear << "5" << std::flush;
@@ -49,7 +49,7 @@ bool reset_peak() {
 }  // namespace
 
 CostMeter::CostMeter() {
-    malloc_trim(0);  // what earlier work has freed is not there for this one
+    malloc_trim(0);  // gives back what earlier work has freed
     if (reset_peak()) held_ = status_bytes("VmRSS");
     wall_ = wall_seconds();
     processor_ = processor_seconds();

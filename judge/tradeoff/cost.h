@@ -1,4 +1,4 @@
-// What a piece of work costs this process.
+// Measures the cost of a piece of work in this process.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@ namespace lancer::judge {
 struct Cost {
     double processor = 0;  ///< seconds of all threads together
     double wall = 0;       ///< seconds
-    /// Beyond what was held before, at the most; nothing where the system does not tell.
+    /// The peak memory beyond what was held before; nothing when the system does not report it.
     std::optional<std::uint64_t> memory_bytes;
 };
 
-/// Measures from its making on. One at a time.
+/// Measures from its construction on. Only one may exist at a time.
 class CostMeter {
   public:
     CostMeter();

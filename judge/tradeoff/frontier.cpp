@@ -25,7 +25,7 @@ std::vector<std::size_t> frontier(std::span<const TradePoint> points) {
 
 std::vector<std::size_t> clear_frontier(std::span<const TradePoint> points, double saving) {
     std::vector<std::size_t> best;
-    double group = 0;  // seconds of the first that the last stands for
+    double group = 0;  // seconds of the cheapest in the current group
     for (const std::size_t i : frontier(points)) {
         if (!best.empty() && points[i].error > (1 - error_noise) * points[best.back()].error)
             continue;
@@ -45,7 +45,7 @@ std::vector<std::optional<std::size_t>> dominators(std::span<const TradePoint> p
     std::vector<std::optional<std::size_t>> result(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (std::find(best.begin(), best.end(), i) != best.end()) continue;
-        // Of those that are as cheap, the one with the least error.
+        // Among those that are as cheap, chooses the one with the least error.
         for (const std::size_t b : best) {
             if (result[i] && points[b].seconds > (1 + saving) * points[i].seconds) break;
             result[i] = b;

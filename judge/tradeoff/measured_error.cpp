@@ -26,8 +26,9 @@ MeasuredError error_of(const Image& picture, const TruePicture& truth) {
         const Color a = m - truth.half(0, pixel);
         const Color b = m - truth.half(1, pixel);
         sum += dot(a, b);
-        // With x = m minus the halves' mean and d their difference, (x d)^2 has the variance of
-        // this pixel's product as its mean: for normal halves x and d are independent.
+        // Let x = m minus the halves' mean, and d their difference. The mean of (x d)^2 is the
+        // variance of this pixel's product: for normally distributed halves, x and d are
+        // independent.
         const double xd = dot((a + b) / 2.0, b - a);
         variance += xd * xd;
     }

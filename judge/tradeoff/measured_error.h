@@ -1,4 +1,4 @@
-// How wrong a picture is, by a true one.
+// Measures the error of a picture against the truth.
 #pragma once
 
 #include "judge/tradeoff/true_picture.h"
@@ -14,13 +14,13 @@ struct MeasuredError {
     double p999 = 0;  ///< 99.9 % of the pixels are off by this or less, in their worst channel
     double flip = 0;  ///< mean FLIP error
 
-    /// Whether the truth is good enough to tell this error from none.
+    /// Whether the truth is precise enough to distinguish this error from zero.
     bool is_told() const { return low > 0 || high == 0; }
-    /// What to count on: the error, or as large as it may be where it is not told.
+    /// The error to use in comparisons: its upper bound when it is not told.
     double counted() const { return is_told() ? rmse : high; }
 };
 
-/// `picture` must have the truth's size.
+/// `picture` must have the size of the truth.
 MeasuredError error_of(const Image& picture, const TruePicture& truth);
 
 /// The mean squared difference of two pictures of one size, over pixels and channels.

@@ -31,7 +31,7 @@ std::string command(const Measurement& m) {
     return m.setting.options.empty() ? "(no options)" : m.setting.options;
 }
 
-/// A setting's card: shown when its point or row is pointed at.
+/// A setting's card, shown when the pointer is on its point or row.
 std::string detail(const TradeOffReport& r, std::size_t i, const std::string& prefix) {
     const Measurement& m = r.settings[i];
     std::string html = fmt::format(
@@ -131,8 +131,8 @@ std::string section(const TradeOffReport& r, std::size_t scene, const std::strin
     return html + "</article>\n";
 }
 
-/// Leaves pictures out until the rest fits: maps of beaten settings, their pictures, all maps; then
-/// makes the rest coarser.
+/// Drops pictures until the rest fits: the error maps of beaten settings, their pictures, then all
+/// maps. Finally makes the remaining pictures coarser.
 void fit(std::vector<TradeOffReport>& reports, std::size_t most_bytes) {
     const std::size_t most = most_bytes / 4 * 3;  // base64 makes four characters of three bytes
     const auto sum = [&] {

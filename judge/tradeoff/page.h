@@ -1,4 +1,4 @@
-// Trade-offs as one page that opens in any browser without a network, and its plots as files.
+// The trade-offs as one page that any browser can open without a network, and its plots as files.
 #pragma once
 
 #include <string>
@@ -8,20 +8,22 @@
 
 namespace lancer::judge {
 
-/// Stands in every file of a report: one without it is somebody else's.
+/// A mark in every file of a report. A file without it does not belong to a report and must not be
+/// replaced.
 inline constexpr const char* tradeoff_mark = "made by lancer tradeoff";
 
-/// Names of the plots' files, one for each scene: `plot.svg`, or `plot-NAME.svg` of several.
+/// The names of the plots' files, one per scene: `plot.svg`, or `plot-NAME.svg` for several scenes.
 std::vector<std::string> plot_names(const std::vector<std::string>& scenes);
 
-/// What the pictures of the page may take.
+/// The limit on the pictures of the page.
 inline constexpr std::size_t tradeoff_page_bytes = 8'500'000;
 
-/// The whole page. Pictures that do not fit are left out: those of beaten settings first.
+/// The whole page. Pictures that do not fit are dropped, those of beaten settings first.
 std::string tradeoff_page(std::vector<TradeOffReport> reports,
                           std::size_t most_bytes = tradeoff_page_bytes);
 
-/// Writes index.html and the plots into `folder`, making it when it is missing. Throws FileError.
+/// Writes index.html and the plots into `folder`, which is created when it is missing. Throws
+/// FileError.
 void write_tradeoff(std::vector<TradeOffReport> reports, const std::string& folder);
 
 }  // namespace lancer::judge

@@ -1,4 +1,4 @@
-// What to take for an error.
+// Recommends settings for given errors.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ struct Advice {
     double times_as_fast = 1;        ///< as the exact one
 };
 
-/// For errors that people ask for, from coarse to fine. Settings are judged by the upper end of
-/// their interval.
+/// Advice for common target errors, from coarse to fine. A setting counts with the upper end of its
+/// error interval.
 std::vector<Advice> advice_from(const std::vector<Measurement>& settings, std::size_t exact);
 
 /// "for an error below 1/255: `--samples 3 ...`, 7.3 times as fast as exact (RMSE 0.0031)".

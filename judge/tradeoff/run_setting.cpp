@@ -13,7 +13,7 @@ void render_to_error(const Scene& scene, const View& view, const TradeSetting& s
     settings.max_depth = limits.max_depth;
     settings.min_contribution = limits.min_contribution;
     settings.samples = 1;
-    std::unique_ptr<Renderer> picture;  // when it leaves out more than limits do
+    std::unique_ptr<Renderer> picture;  // needed when the setting changes more than limits
     if (settings.tolerance) picture = compile(scene, settings);
     settings.tolerance = std::nullopt;
     const std::unique_ptr<Renderer> judge = compile(scene, settings);

@@ -1,4 +1,4 @@
-// One picture by one setting, as `render` makes it, and what it cost.
+// Renders a picture with one setting, as `render` does, and measures its cost.
 #pragma once
 
 #include <vector>

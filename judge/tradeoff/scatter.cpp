@@ -21,7 +21,7 @@ constexpr double top = 14;
 constexpr double bottom = 52;
 constexpr double legend_row = 20;
 
-/// Outlines within a circle of radius 5, told apart without colours too.
+/// Outlines within a circle of radius 5 that differ even without colours.
 const char* outline_of(Knob knob) {
     switch (knob) {
         case Knob::max_error:
@@ -54,7 +54,7 @@ struct Axis {
     double at(double value) const {
         return from + (to - from) * (std::log10(value) - low) / (high - low);
     }
-    /// 1, 2 and 5 times powers of ten that lie within.
+    /// The values 1, 2 and 5 times powers of ten within the range.
     std::vector<double> ticks() const {
         std::vector<double> found;
         for (int k = static_cast<int>(std::floor(low)) - 1; k <= high; ++k) {
@@ -95,7 +95,7 @@ class Drawing {
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
         return {std::log10(*least) - 0.12, std::log10(*most) + 0.12, from, to};
     }
-    /// An error that is none stands on the axis.
+    /// An error of zero is drawn on the axis.
     double height_of(const Measurement& m) const {
         const double error = m.error.counted();
         return error > 0 ? y_.at(error) : height - bottom;
@@ -143,7 +143,8 @@ class Drawing {
         return "<path class=\"best\" d=\"" + path + "\"/>\n";
     }
 
-    /// From fast to slow, those of the frontier on top of the others. Links follow in this order.
+    /// From fast to slow; points of the frontier are drawn above the others. Links follow in this
+    /// order.
     std::string points() const {
         std::string beaten;
         std::string best;
@@ -181,7 +182,7 @@ class Drawing {
     Axis y_;
 };
 
-// Okabe and Ito's palette, told apart by the colour-blind too.
+// The palette of Okabe and Ito, which colour-blind readers can distinguish.
 constexpr const char* document_style =
     "text{font-size:13px;fill:#333}.middle{text-anchor:middle}.end{text-anchor:end}"
     ".frame{fill:none;stroke:#888}.grid{stroke:#e2e2e2;fill:none}.mark{stroke:#c02626;fill:none;"

@@ -1,4 +1,4 @@
-// A setting's pictures on the page.
+// The pictures of a setting on the page.
 #pragma once
 
 #include "judge/tradeoff/run_setting.h"
@@ -6,10 +6,10 @@
 
 namespace lancer::judge {
 
-/// PNG files, made smaller where they would be large.
+/// PNG files, reduced in size where they would be large.
 struct SettingPictures {
     std::string picture;
-    std::string error;    ///< off the truth by, see reference::heat_map
+    std::string error;    ///< the difference from the truth, see reference::heat_map
     std::string guessed;  ///< the same as the setting guesses it; may be empty
     std::string samples;  ///< a pixel, logarithmic; empty where all have as many
 };

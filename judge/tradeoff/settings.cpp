@@ -13,12 +13,12 @@
 namespace lancer::judge {
 namespace {
 
-// With the depth of `exact`, fine enough for a tenth of any error that is measured here, but where
-// mirrors keep light for ever; the report tells the bound (accuracy/cut_bound.h).
+// With the depth of `exact` this is fine enough for a tenth of any error that is measured here,
+// except where mirrors keep light for ever. The report states the bound (accuracy/cut_bound.h).
 constexpr double least_contribution = 1e-7;
 constexpr int base_samples = 3;
 
-/// Size of a pixel at the distance of what the camera looks at.
+/// The size of a pixel at the camera's look_at point.
 double pixel_size(const Camera& camera, int height) {
     if (const auto* flat = std::get_if<OrthographicProjection>(&camera.projection))
         return flat->height / height;
@@ -27,12 +27,12 @@ double pixel_size(const Camera& camera, int height) {
     return 2 * half * length(camera.look_at - camera.position) / height;
 }
 
-/// Shortest text that people would type.
+/// The shortest text that people would type.
 std::string typed(double value) {
     return shown(value, 3);
 }
 
-/// The value that is read from what would be typed for it.
+/// The value that parsing its typed text gives.
 double as_typed(double value) {
     const std::string text = typed(value);
     std::from_chars(text.data(), text.data() + text.size(), value);
@@ -215,7 +215,8 @@ std::vector<TradeSetting> single_settings(const TurnedScene& turned, int most_sa
             });
         }
     }
-    // What there is no time for should be the dearest. Each knob keeps its order.
+    // If time runs out, the most expensive settings are dropped: so order by cost, keeping the
+    // order of each knob's settings.
     std::stable_sort(all.begin(), all.end(), [](const TradeSetting& a, const TradeSetting& b) {
         const auto order = [](const TradeSetting& s) {
             return s.max_error ? 1e9 / *s.max_error : s.points();

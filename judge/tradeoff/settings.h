@@ -1,4 +1,4 @@
-// What `tradeoff` turns: ways to render one scene, as the command line says them.
+// The settings that `tradeoff` tries: ways to render one scene, as options of the command line.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace lancer::judge {
 
-/// What tells a setting from the uncut one.
+/// The knob in which a setting differs from the uncut one.
 enum class Knob : std::uint8_t {
     scene,  ///< as the script says
     exact,  ///< the most samples, nothing cut
@@ -40,13 +40,13 @@ struct TradeSetting {
     std::string label;                ///< for a table: "sobol 4 x 4, depth 3"
     std::string options;              ///< of `lancer render`: "--sampling sobol --samples 4 ..."
 
-    /// Rays a pixel that the settings ask for; 0 where an error is asked for.
+    /// Rays per pixel that the settings ask for; 0 for a target error.
     double points() const {
         return max_error ? 0 : static_cast<double>(settings.samples) * settings.samples;
     }
 };
 
-/// What the scene gives to turn.
+/// The properties of a scene that decide which knobs matter.
 struct TurnedScene {
     const Scene& scene;
     Requirements requirements;  ///< with all that can be switched off switched on
@@ -58,27 +58,28 @@ struct TurnedScene {
 };
 TurnedScene turned(const Scene& scene, const View& view);
 
-/// The script's own way.
+/// The script's own settings.
 TradeSetting own_setting(const TurnedScene& turned);
-/// By one word; those with more samples than `most_samples` x `most_samples` are left out, and what
-/// is exact.
+/// The settings of each quality word, except `exact` and those with more samples than
+/// `most_samples` x `most_samples`.
 std::vector<TradeSetting> quality_settings(const TurnedScene& turned, int most_samples);
-/// `samples` x `samples` Sobol points and nothing cut.
+/// `samples` x `samples` Sobol points without limits.
 TradeSetting exact_setting(const TurnedScene& turned, int samples);
-/// Where knobs other than the samples are turned: uncut, with 3 x 3 Sobol points, or `most_samples`
-/// where these are less.
+/// The base on which knobs other than the samples are tried: no limits, 3 x 3 Sobol points, or
+/// `most_samples` when these are fewer.
 TradeSetting base_setting(const TurnedScene& turned, int most_samples);
-/// Each knob that the scene has a use for, alone, from cheap to dear, errors that are asked for
-/// last. Samples end at a grid of `most_samples` x `most_samples` and below that on Sobol points.
+/// Each knob that matters for the scene, alone, from cheap to expensive; target errors come last.
+/// The finest samples are a grid of `most_samples` x `most_samples`; below that Sobol points are
+/// used.
 std::vector<TradeSetting> single_settings(const TurnedScene& turned, int most_samples);
 
-/// Fills in label and options.
+/// Sets label and options.
 TradeSetting named(const TurnedScene& turned, TradeSetting setting);
 
-/// The finest of the errors that are asked for.
+/// The smallest target error.
 inline constexpr double least_asked_error = 0.002;
 
-/// Gives `to` what `from` has by its knob.
+/// Copies the value of the knob of `from` to `to`.
 void take_knob(const TradeSetting& from, Settings& to);
 
 }  // namespace lancer::judge

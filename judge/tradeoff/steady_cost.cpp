@@ -9,21 +9,24 @@
 namespace lancer::judge {
 namespace {
 
-constexpr double least_seconds = 1e-6;  // that the clock knows of
-constexpr double unknown_noise = 0.2;   // of a run, as a logarithm: with one run nothing tells it
-constexpr double median_over_mean = 1.25;  // standard errors, of normal values
+constexpr double least_seconds = 1e-6;  // the resolution of the clock
+// of a run, as a logarithm; used when single runs show no noise
+constexpr double unknown_noise = 0.2;
+// of the standard errors, for normally distributed values
+constexpr double median_over_mean = 1.25;
 constexpr double two_sided_95 = 1.96;
-// Standard errors. There are many settings, and of fifty one would differ by two for nothing.
+// In standard errors. There are many settings: with a limit of two, one in fifty would seem
+// different by chance.
 constexpr double sure = 3;
-constexpr double least_factor = 0.05;  // of a way, as a logarithm: less is none
-constexpr double of_a_shadow = 0.5;    // rays
+constexpr double least_factor = 0.05;  // of a way, as a logarithm; smaller ones count as none
+constexpr double of_a_shadow = 0.5;    // cost of a shadow ray in rays
 
 double counted(const RayCounts& rays) {
     return static_cast<double>(rays.primary + rays.reflected + rays.transmitted) +
            of_a_shadow * static_cast<double>(rays.shadow);
 }
 
-/// What else the machine does adds to a time and takes nothing from it: low ones are the nearest.
+/// Other work on the machine can only add to a time, so low quantiles are the best estimate.
 double quiet_seconds(const TimedSetting& setting) {
     return std::max(least_seconds, quantile_of(setting.seconds, 0.25));
 }
@@ -47,13 +50,13 @@ double dot(const Row& a, const Row& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// What one of each costs, none below 0, with which rows bring 1 as nearly as they can; rows that
-/// are far off count less, so that a few slow runs do not pull.
+/// The costs, none below 0, with which the rows come as close to 1 as possible. Rows with large
+/// deviations get a small weight, so that a few slow runs have little influence.
 Row fitted(const std::vector<Row>& rows) {
     Row costs{};
     std::vector<double> weights(rows.size(), 1);
     for (int round = 0; round < 10; ++round) {
-        for (int step = 0; step < 300; ++step) {  // one after the other
+        for (int step = 0; step < 300; ++step) {  // coordinate descent
             for (std::size_t k = 0; k < costs.size(); ++k) {
                 double wanted = 0;
                 double squares = 0;
@@ -82,8 +85,8 @@ RaySeconds fit_of(std::span<const TimedSetting> settings) {
     return {costs[0], costs[1], costs[2]};
 }
 
-/// Of the logarithm of a run's seconds: as a normal one's of which a tenth lies as far off. Busy
-/// moments are rare and long.
+/// The standard deviation of the logarithm of a run's seconds: that of a normal distribution with
+/// the same 90 % quantile of distances. Busy moments are rare and long.
 double noise_of(std::span<const TimedSetting> settings) {
     std::vector<double> distances;
     for (const TimedSetting& s : settings)
@@ -99,7 +102,7 @@ double noise_of(std::span<const TimedSetting> settings) {
 double quantile_of(std::vector<double> values, double share) {
     if (values.empty()) return 0;
     std::sort(values.begin(), values.end());
-    // Of n random values, a share k / (n + 1) of all lie below the k-th in the mean.
+    // For n random values, a share k / (n + 1) of the distribution lies below the k-th on average.
     const double last = static_cast<double>(values.size() - 1);
     const double place = std::clamp(share * (last + 2) - 1, 0.0, last);
     const auto below = static_cast<std::size_t>(place);
@@ -119,7 +122,7 @@ SteadyCosts steady_costs(std::span<const TimedSetting> settings) {
     const double noise = noise_of(settings);
     SteadyCosts result{fit_of(settings), {}, 0};
     std::vector<double> expected;
-    std::map<std::string, std::vector<double>> apart;  // logarithm of seconds over these, by way
+    std::map<std::string, std::vector<double>> apart;  // logarithm of seconds over expected, by way
     std::map<std::string, std::size_t> runs;
     std::size_t fewest = settings.empty() ? 1 : settings[0].seconds.size();
     for (const TimedSetting& s : settings) {
@@ -131,7 +134,7 @@ SteadyCosts steady_costs(std::span<const TimedSetting> settings) {
     result.noise = two_sided_95 * standard_error(noise, std::max<std::size_t>(1, fewest));
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const TimedSetting& s = settings[i];
-        // A way's factor is what all its settings differ by, where they surely do.
+        // The factor of a way is the median deviation of its settings, if it is significant.
         double factor = s.way == settings[0].way ? 0 : median_of(apart[s.way]);
         if (std::abs(factor) < std::max(least_factor, sure * standard_error(noise, runs[s.way])))
             factor = 0;

@@ -1,8 +1,8 @@
-// What settings cost, told so that a busy machine changes little of it.
+// Estimates the cost of settings so that a busy machine has little influence.
 //
-// The rays of a setting are the same in each run, its seconds are not. So the seconds of all
-// settings together tell what a ray takes in this scene, and a setting's rays tell what it takes.
-// Its own seconds have a say as far as they surely differ from that.
+// The rays of a setting are the same in each run, but its seconds are not. So the seconds of all
+// settings together determine the cost of a ray in this scene, and a setting's rays determine its
+// cost. Its own seconds count only as far as they differ significantly from that.
 #pragma once
 
 #include <span>
@@ -14,8 +14,9 @@
 namespace lancer::judge {
 
 struct TimedSetting {
-    /// What makes a ray cheaper or dearer: digits, triangles in place of true surfaces ... Rays are
-    /// fitted to the way of the first setting; other ways are that times a factor.
+    /// The properties that make a ray cheaper or more expensive: precision, triangles instead of
+    /// exact surfaces and so on. The cost of rays is fitted for the way of the first setting; the
+    /// other ways differ by a factor.
     std::string way;
     int max_depth = 0;  ///< of the recursion: threads keep room for as many levels
     RayCounts rays;
@@ -35,17 +36,17 @@ struct RaySeconds {
 struct SteadyCosts {
     RaySeconds fitted;
     std::vector<double> seconds;  ///< one a setting
-    /// Half an interval of 95 % for the median of a setting's runs, as a share of it.
+    /// Half of the 95 % interval for the median of a setting's runs, as a share of it.
     double noise = 0;
 };
 
 /// \param settings  at least one, each with at least one run
 SteadyCosts steady_costs(std::span<const TimedSetting> settings);
 
-/// What a share of all values lie below, by some of them: few runs and many say the same in the
-/// mean, as far as few can. 0 of none.
+/// The value below which this share of the distribution lies, estimated from a sample. Small and
+/// large samples give the same value on average, as far as possible. 0 for an empty sample.
 double quantile_of(std::vector<double> values, double share);
-/// Half of the values lie below it; 0 of none.
+/// The median; 0 for an empty sample.
 double median_of(std::vector<double> values);
 
 }  // namespace lancer::judge

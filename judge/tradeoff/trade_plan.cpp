@@ -10,7 +10,7 @@
 namespace lancer::judge {
 namespace {
 
-constexpr double short_pairs = 0.5;  // seconds that more pairs than the fewest may take
+constexpr double short_pairs = 0.5;  // seconds that additional pairs may take
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Progress TradePlan::stage(const std::string& what, double units) {
 
 double TradePlan::units_of(const TradeSetting& setting) const {
     if (!setting.max_error) return setting.points();
-    // As in docs/cost-of-accuracy.md, roughly: more draws are needed for small errors.
+    // Roughly as in docs/cost-of-accuracy.md: smaller errors need more draws.
     const double finer = 0.01 / *setting.max_error;
     const double audits = setting.audited ? (100'000 + 40'000 * finer * finer) / pixels() : 0;
     return 4 + audits + 4 * std::pow(0.01 / *setting.max_error, 4.0 / 3);
@@ -51,7 +51,7 @@ double TradePlan::planned_pairs() const {
 
 void TradePlan::begin() {
     unit_ = 1e300;
-    // The first may meet a busy moment, which counts in a small picture.
+    // The first run may meet a busy moment, which matters in a small picture, so it is repeated.
     for (int look = 0; look < 3 && (look == 0 || unit_ < 0.05); ++look) {
         const TradeSetting one = exact_setting(turned_, 1);
         unit_ =

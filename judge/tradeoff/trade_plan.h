@@ -1,4 +1,5 @@
-// What measuring a scene's settings will take, how far it is, and what there is still time for.
+// Plans the measurements of a scene's settings: their cost, the progress, and what there is still
+// time for.
 #pragma once
 
 #include <chrono>
@@ -14,15 +15,14 @@ inline constexpr int fewest_rounds = 3;
 inline constexpr int most_rounds = 15;
 inline constexpr std::size_t most_combinations = 16;
 
-/// A ray in every pixel is the unit.
+/// The unit of cost is one ray in every pixel.
 class TradePlan {
   public:
     TradePlan(const Scene& scene, const View& view, const TurnedScene& turned,
               const TradeOffOptions& options)
         : scene_(scene), view_(view), turned_(turned), options_(options) {}
 
-    /// Measures the unit, and decides how much of everything there is time for. Throws
-    /// BudgetTooShort.
+    /// Measures the unit, and divides the time among the steps. Throws BudgetTooShort.
     void begin();
 
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
@@ -31,16 +31,16 @@ class TradePlan {
     }
     bool fits_units(double units) const { return fits(unit_ * units); }
 
-    /// Progress through so many of all units that are planned.
+    /// Progress through this many of all planned units.
     Progress stage(const std::string& what, double units);
-    /// That a setting may take, guessed.
+    /// The predicted cost of a setting in units.
     double units_of(const TradeSetting& setting) const;
-    /// Of runs of a setting and of the base by turns.
+    /// The number of pairs of runs of a setting and of the base.
     int pairs_of(const TradeSetting& setting) const;
 
-    /// Of the exact setting, each way.
+    /// Samples of the exact setting, on each axis.
     int samples() const { return samples_; }
-    /// Of each half of the truth, at most and at first.
+    /// Points of each half of the truth: the maximum, and the number at first.
     std::uint32_t truth_points() const { return truth_points_; }
     static constexpr std::uint32_t first_truth_points = 16;
 
@@ -61,15 +61,15 @@ class TradePlan {
     double done_ = 0;
 };
 
-/// The share of the base's time that `turned` takes, by the quickest run of each: those of quiet
-/// moments. A pair is a run of both. Now one and now the other goes first, so that neither is
-/// always the one which finds the machine as the other has left it. Both return seconds.
+/// The share of the base's time that `turned` takes, from the fastest run of each, which met no
+/// other work. A pair is a run of both. Their order alternates, so that neither always finds the
+/// machine as the other left it. Both functions return seconds.
 ///
-/// \param goes_on  asked before each pair
+/// \param goes_on  called before each pair
 double share_of_time(int pairs, const std::function<double()>& base,
                      const std::function<double()>& turned, const std::function<bool()>& goes_on);
 
-/// Whether a knob may save time and no rays.
+/// Whether a knob may save time without saving rays.
 bool saves_time_alone(Knob knob);
 
 }  // namespace lancer::judge

@@ -18,12 +18,12 @@
 namespace lancer::judge {
 namespace {
 
-constexpr double wanted_ratio = 3;              // of the smallest error to the truth's own
-constexpr double short_run = 0.2;               // seconds: what takes longer is run in the fewest
-constexpr double short_rounds = 3;              // seconds that more rounds than the fewest may take
+constexpr double wanted_ratio = 3;              // of the smallest error to that of the truth
+constexpr double short_run = 0.2;               // seconds; slower settings run the fewest rounds
+constexpr double short_rounds = 3;              // seconds that additional rounds may take
 constexpr std::size_t picture_bytes = 100'000;  // of one on the page
 
-/// What a ray takes depends on it; see TimedSetting.
+/// The cost of a ray depends on it; see TimedSetting.
 std::string way_of(const TradeSetting& setting) {
     const Settings& s = setting.settings;
     return fmt::format("{} {} {} {} {}", static_cast<int>(s.precision), s.tolerance.value_or(0),
@@ -57,14 +57,15 @@ class TradeOff {
     }
 
   private:
-    /// Errors that are asked for are undercut by a third (docs/cost-of-accuracy.md).
+    /// The error of a picture with a target is about a third below the target
+    /// (docs/cost-of-accuracy.md).
     bool is_good_enough() const {
         const double own = truth_.error();
         const double least = std::min(report_.least_error(), 0.6 * least_asked_error);
         return own == 0 || (report_.settings[0].error.is_told() && wanted_ratio * own <= least);
     }
 
-    /// Until the truth's own error is a third of those of the finest settings.
+    /// Refines the truth until its own error is a third of those of the finest settings.
     void find_truth() {
         const std::string key =
             truth_key(options_.cache.content, view_, limits_, scene_.settings.seed);
@@ -76,14 +77,14 @@ class TradeOff {
         const std::unique_ptr<Renderer> renderer = compile(surfaces, surfaces.settings);
         report_.level = name_of(renderer->level());
         refine(*renderer, TradePlan::first_truth_points);
-        // The finest on Sobol points and on a grid.
+        // The finest settings, on Sobol points and on a grid.
         finest_.push_back(measure(exact_setting(turned_, plan_.samples())).value());
         for (const TradeSetting& s : single_settings(turned_, plan_.samples()))
             if (s.settings.sampling == Sampling::grid && s.settings.samples == plan_.samples() &&
                 plan_.fits_units(s.points()))
                 if (std::optional<Image> image = measure(s)) finest_.push_back(std::move(*image));
         while (!is_good_enough() && truth_.points() < plan_.truth_points()) {
-            // By turns 1.5 and 1.33 times as many.
+            // Increases the points by factors of 1.5 and 1.33 in turn.
             const std::uint32_t now = truth_.points();
             const bool is_power = (now & (now - 1)) == 0;
             const std::uint32_t next =
@@ -106,7 +107,7 @@ class TradeOff {
             report_.settings[i].error = error_of(finest_[i], truth_);
     }
 
-    /// Nothing when it is left out.
+    /// Nothing when the setting is left out.
     std::optional<Image> measure(const TradeSetting& setting) {
         if (!known_.insert(setting.options).second) return std::nullopt;
         const double units = plan_.units_of(setting);
@@ -163,11 +164,11 @@ class TradeOff {
         return share_of_time(
             plan_.pairs_of(setting), [&] { return seconds_of(base_.setting); },
             [&] { return seconds_of(setting); },
-            // Twice: what a knob leaves out may be dearer than a ray.
+            // A factor of two, because what a knob leaves out may cost more than a ray.
             [&] { return plan_.fits_units(4 * setting.points()); });
     }
 
-    /// Errors that are asked for come after combinations: more of the frontier hangs on these.
+    /// Target errors come after combinations, which contribute more to the frontier.
     void measure_errors() {
         for (const TradeSetting& setting : single_settings(turned_, plan_.samples()))
             if (setting.max_error) measure(setting);
@@ -182,7 +183,7 @@ class TradeOff {
         measure(own_setting(turned_));
         for (const TradeSetting& setting : quality_settings(turned_, plan_.samples()))
             measure(setting);
-        std::set<Knob> without_effect;  // what is finer still has none either
+        std::set<Knob> without_effect;  // finer settings have no effect either
         for (const TradeSetting& setting : single_settings(turned_, plan_.samples())) {
             if (setting.max_error || without_effect.contains(setting.knob)) continue;
             const std::optional<Image> image = measure(setting);
@@ -202,7 +203,7 @@ class TradeOff {
             measure(setting);
     }
 
-    /// Again through all, so that what slows the machine for a while slows all alike.
+    /// Repeats all settings in rounds, so that a slow period affects all alike.
     void repeat() {
         double once = 0;
         double once_short = 0;

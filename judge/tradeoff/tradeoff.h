@@ -1,4 +1,4 @@
-// What each knob costs and brings on one scene.
+// Measures the cost and the error of each knob on one scene.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ struct TradeOffOptions {
     double budget = 0;  ///< wall-clock seconds for all; 0: as long as it takes
     TruthCache cache;
     bool with_pictures = false;  ///< keep each setting's picture
-    /// The share that is done, and what is being done.
+    /// Called with the share that is done, and a description of the current step.
     std::function<void(double share, const std::string& what)> progress;
 };
 
-/// One setting as it turned out.
+/// The measured results of one setting.
 struct Measurement {
     TradeSetting setting;
     std::vector<double> seconds;  ///< of the processor, one a run
@@ -37,7 +37,7 @@ struct Measurement {
     std::optional<std::size_t> beaten_by;  ///< index; nothing: on the frontier
 
     double median() const;
-    /// What its place among the others goes by.
+    /// The cost used for the frontier.
     double counted() const { return cost > 0 ? cost : median(); }
 };
 
@@ -70,20 +70,20 @@ struct TradeOffReport {
     double pixels() const { return static_cast<double>(width()) * height(); }
     /// The smallest error that is told.
     double least_error() const;
-    /// Whether the truth's own error is more than a third of that.
+    /// Whether the bound on what the truth's limits cut is more than a tenth of that error.
     bool is_truth_cut_short() const { return 10 * truth_cut > least_error(); }
     bool is_truth_rough() const { return 3 * truth_error > least_error(); }
 };
 
-/// No time for even the truth and one setting; the message says what that takes.
+/// There is not even time for the truth and one setting; the message says how long they take.
 struct BudgetTooShort : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Turns each knob alone and then what promises something together, against a truth that is
-/// refined until its own error is a third of the smallest to be expected. Times are medians of
-/// rounds through all settings; the frontier goes by what these and the rays say together.
-/// `scene.settings` says threads (not 0) and seed. Throws BudgetTooShort, SceneError.
+/// Tries each knob alone and then promising combinations, against a truth that is refined until its
+/// own error is a third of the smallest error expected. Times are medians over rounds through all
+/// settings; the frontier uses a combination of times and rays. `scene.settings` gives threads (not
+/// 0) and seed. Throws BudgetTooShort, SceneError.
 TradeOffReport trade_off(const Scene& scene, const View& view, const TradeOffOptions& options);
 
 }  // namespace lancer::judge

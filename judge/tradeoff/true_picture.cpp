@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t batch_size = std::size_t(1) << 17;  // rays: enough for all cores
 
-// Above those of pictures and of audits.
+// Above the streams of pictures and of audits.
 constexpr std::uint64_t first_half_stream = std::uint64_t(5) << 61;
 
 void put(std::string& out, std::uint64_t value) {

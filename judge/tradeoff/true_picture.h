@@ -1,8 +1,8 @@
-// What settings are judged by: two independent halves of many Sobol points a pixel, with nothing
-// cut that could show.
+// The truth for settings: two independent halves with many Sobol points a pixel, cutting nothing
+// that could be visible.
 //
 // For a picture m and halves h1, h2 of the true values mu, (m - h1)(m - h2) has the mean (m - mu)^2
-// (accuracy/audit.h), and what the halves differ by tells how wrong their mean is.
+// (accuracy/audit.h). The difference of the halves gives the error of their mean.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@
 
 namespace lancer::judge {
 
-/// The scene without tolerances of its surfaces or of its script: all are met where they are.
+/// The scene without the tolerances of its surfaces and of its script: all surfaces are exact.
 Scene with_true_surfaces(Scene scene);
 
 class TruePicture {
   public:
-    /// \param view, limits  of the picture; the view's crop is what the picture holds
-    /// \param seed          of the settings that are judged; the halves draw other points
+    /// \param view, limits  of the picture; the view's crop is the part that the picture holds
+    /// \param seed          of the judged settings; the halves draw other points
     TruePicture(const View& view, const TraceLimits& limits, std::uint64_t seed);
 
     /// Raises the number of points in each pixel of each half. Throws SceneError.
@@ -30,22 +30,23 @@ class TruePicture {
     int width() const { return part_.width; }
     int height() const { return part_.height; }
     std::size_t pixels() const { return sums_[0].size(); }
-    /// Of each half, a pixel.
+    /// The number of points per pixel in each half.
     std::uint32_t points() const { return points_; }
     Color half(unsigned which, std::size_t pixel) const {
         return sums_[which][pixel] / static_cast<double>(points_);
     }
     Color mean(std::size_t pixel) const { return (half(0, pixel) + half(1, pixel)) / 2.0; }
-    /// The mean of both halves.
-    /// The first points of the pixel that rays were sent through, 64 at most.
+    /// The first points in the pixel through which rays went, at most 64.
     std::vector<PicturePoint> first_points(int x, int y) const;
 
+    /// The mean of both halves.
     Image image() const;
-    /// Root mean square of that mean's own error, over pixels and channels, as the halves tell.
+    /// The root mean square of the error of image(), over pixels and channels, estimated from the
+    /// halves.
     double error() const;
 
-    /// The sums, for a cache: the same on every machine. restore() takes them back; false, and
-    /// nothing changes, when they are not those of a picture of this size.
+    /// The sums in a form for a cache, the same on every machine. restore() reads them; it returns
+    /// false and changes nothing when they do not belong to a picture of this size.
     std::string bytes() const;
     bool restore(std::string_view bytes);
 

@@ -54,7 +54,7 @@ void write_truth(const TruthCache& cache, const std::string& key, const TruePict
     const std::string sums = picture.bytes();
     try {
         io::write_file(path.string(), fmt::format("{}{}\n", magic, sha256(sums)) + sums);
-    } catch (const FileError&) {  // as said
+    } catch (const FileError&) {  // a failure only costs time
     }
 }
 

@@ -1,4 +1,4 @@
-// True pictures that were made already, kept by what they were made from.
+// A cache of true pictures, keyed by all that they depend on.
 #pragma once
 
 #include <string>
@@ -7,23 +7,23 @@
 
 namespace lancer::judge {
 
-/// Where true pictures are kept.
+/// The folder and the key of the cache.
 struct TruthCache {
     std::string folder;  ///< empty: nowhere
-    /// All that decides the picture beside view, limits and seed: the scene's files, definitions,
-    /// the program itself. Hashed with the rest.
+    /// All that the picture depends on beside view, limits and seed: the scene's files,
+    /// definitions, the program itself. It is hashed with the rest.
     std::string content;
 };
 
-/// Names the entry: a digest.
+/// The name of an entry: a digest.
 std::string truth_key(const std::string& content, const View& view, const TraceLimits& limits,
                       std::uint64_t seed);
 
-/// Takes the entry's points; false, and `picture` stays as it is, when there is none or it is not
-/// whole.
+/// Reads an entry's points. Returns false and leaves `picture` unchanged when there is none or it
+/// is incomplete.
 bool read_truth(const TruthCache& cache, const std::string& key, TruePicture& picture);
 
-/// Keeps the picture, in one step. A cache that cannot be written costs time, not the result.
+/// Stores the picture atomically. A failure to write costs time, not the result.
 void write_truth(const TruthCache& cache, const std::string& key, const TruePicture& picture);
 
 }  // namespace lancer::judge

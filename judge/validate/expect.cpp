@@ -52,7 +52,7 @@ std::string known_keys() {
     return list + "refused";
 }
 
-/// `text` as a whole number or a number; throws a message without a place.
+/// Parses `text` as a number of this type; throws a message without a place.
 template <class Number>
 Number parsed(std::string_view text) {
     Number value{};

@@ -15,10 +15,10 @@ namespace lancer::judge {
 struct OurPicture {
     Image image;          ///< linear light, 3 channels, not clamped
     ProbeFunction probe;  ///< the same picture between the pixels' centres, in the same units
-    /// The same by the judge's own recursion, with what POV-Ray does otherwise by rule done its way
-    /// or, where the rules are not followed, ours; may be empty. Compiles when it is first asked.
+    /// The same by the judge's own recursion, with POV-Ray's rules or, when `rules` are not
+    /// followed, with ours; may be empty. Compiles the scene at the first call.
     std::function<ProbeFunction(const PovRayRules& rules)> by_rules;
-    std::uint64_t rays = 0;  ///< of all kinds, that the picture took
+    std::uint64_t rays = 0;  ///< of all kinds, for the picture
     double seconds = 0;
 };
 
@@ -27,19 +27,19 @@ struct OurPicture {
 using OurRenderer = std::function<OurPicture(const std::shared_ptr<const Scene>& scene,
                                              const reference::ExportView& view)>;
 
-/// Lancer's renderer. One thread, for whole scenes run side by side; otherwise the scene's settings
-/// as they stand.
+/// Lancer's renderer. It uses one thread, because whole scenes run in parallel; the other settings
+/// are the scene's.
 OurPicture render_ours(const std::shared_ptr<const Scene>& scene,
                        const reference::ExportView& view);
 
-/// Probes of a scene by the judge's own recursion. Compiles when it is first asked.
+/// Probes of a scene by the judge's own recursion. Compiles the scene at the first call.
 ProbeFunction probe_by_rules(const std::shared_ptr<const Scene>& scene, const View& view,
                              const PovRayRules& rules);
 
-/// The tracer's view of what the exporter was asked to show.
+/// The tracer's view for the view of the export.
 View tracer_view(const reference::ExportView& view);
 
-/// What our tracer needs to follow POV-Ray's rules in an exported file.
+/// The rules by which our tracer imitates POV-Ray on an exported file.
 PovRayRules rules_of(const reference::ExportResult& exported);
 
 }  // namespace lancer::judge

@@ -1,4 +1,4 @@
-// What messages call the parts of a scene.
+// The names of a scene's parts in messages.
 #pragma once
 
 #include <cstddef>

@@ -37,7 +37,7 @@ std::string text_of(const reference::Coincidence& coincidence, const ValidationJ
                        reference::resolution_name(coincidence.resolution));
 }
 
-/// The exporter's result taken over; false when the scene goes no further.
+/// Takes over the exporter's result; false when the validation must stop.
 bool take_export(Validation& result, const ValidationJob& job, reference::ExportResult& exported) {
     result.factor = exported.factor;
     result.exposure = exported.exposure;
@@ -62,7 +62,7 @@ bool take_export(Validation& result, const ValidationJob& job, reference::Export
     return false;
 }
 
-/// Asks POV-Ray about parts and variants of the scene.
+/// Runs POV-Ray on parts and variants of the scene.
 class PovRayAgain {
   public:
     PovRayAgain(const ValidationJob& job, const reference::ExportOptions& options,
@@ -87,7 +87,7 @@ class PovRayAgain {
         const bool merged = std::any_of(
             exported.coincidences.begin(), exported.coincidences.end(),
             [](auto& c) { return c.resolution == reference::Coincidence::Resolution::merged; });
-        // The recursion merges no bodies, but knows that glued ones of one glass are one.
+        // The recursion does not merge bodies, but treats glued bodies of the same glass as one.
         const std::shared_ptr<const Scene> scene = merged ? job_.scene : exported.resolved;
         const View view = tracer_view(job_.view);
         resolved_.emplace();
@@ -111,8 +111,8 @@ class PovRayAgain {
     std::optional<ResolvedPicture> resolved_;
 };
 
-/// Whether faces coincide and all of them can be told apart. Were some left, POV-Ray could have our
-/// value there by chance in one of two pictures.
+/// Whether faces coincide and all of them can be told apart. If some remained, POV-Ray could have
+/// our value there by chance in one of two pictures.
 bool can_be_resolved(const std::vector<reference::Coincidence>& coincidences) {
     using Resolution = reference::Coincidence::Resolution;
     const auto are = [&](Resolution resolution) {
@@ -127,7 +127,8 @@ void judge_result(Validation& result, const OurPicture& ours, const PovRayRules&
                   PovRayAgain& again) {
     if (!compare_pictures(result)) return;
     SecondLook second;
-    // Named or not: next to where any two bodies meet, faces are nearer than POV-Ray's constants.
+    // Needed even without named rules: where two bodies meet, faces are nearer than POV-Ray's
+    // constants.
     if (ours.by_rules) {
         PovRayRules none = rules;
         none.followed = false;

@@ -1,4 +1,4 @@
-// One scene, rendered by us and by POV-Ray, and judged.
+// Renders one scene with Lancer and with POV-Ray, and judges the pictures.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@
 namespace lancer::judge {
 
 /// A scene to be validated, without errors and with a camera. Both programs must follow every
-/// branch, so `settings` must say samples 1 and min_contribution 0: see prepare_for_validation().
+/// branch, so `settings` must have samples 1 and min_contribution 0: see prepare_for_validation().
 struct ValidationJob {
-    std::string name;  ///< for people and for the files' names: `solids`
-    std::string path;  ///< as it stood on the command line
-    /// The path and the options that choose the scene (--camera, -D), quoted for a shell: for the
+    std::string name;  ///< for people and file names: `solids`
+    std::string path;  ///< as given on the command line
+    /// The path and the options that select the scene (--camera, -D), quoted for a shell: for the
     /// commands in the report.
     std::string scene_words;
     /// `file:line:column` of a place in the script, for people; may be empty.
@@ -30,18 +30,19 @@ struct ValidationJob {
     std::shared_ptr<const Scene> scene;
     reference::ExportView view;
     Expectations expect;
-    /// Told what begins and how much is done, 0..1; from the thread that validates; may be empty.
+    /// Called with the share done, 0..1, and the current step, from the validating thread; may be
+    /// empty.
     std::function<void(double share, const char* what)> progress{};
 };
 
-/// The rays that explaining may cost: the picture's own many times over, and some for pictures that
-/// cost next to nothing. In rays and not in seconds, so that the verdict depends on no clock.
+/// The number of rays that explanations may cost: a multiple of the picture's own, and some for
+/// very cheap pictures. A limit in seconds would make the verdict depend on the clock.
 constexpr std::uint64_t rays_for_explaining(std::uint64_t of_the_picture) {
     return 4 * of_the_picture + 3'000'000;
 }
 
-/// What both programs do alike: one ray through each pixel's centre, and no branch left out because
-/// it weighs little. The depth of recursion stays the scene's.
+/// Makes both programs do the same: one ray through each pixel's centre, and no branch left out for
+/// its small weight. The depth of recursion remains the scene's.
 void prepare_for_validation(Scene& scene);
 
 struct Validation {
@@ -49,19 +50,18 @@ struct Validation {
     std::string path;
     std::string scene_words;
     Verdict verdict = Verdict::failed;
-    /// Why it does not agree; for a refusal what the exporter said, as one would read it in a
+    /// Why the pictures do not agree; for a refusal, the exporter's message in a form for the
     /// report.
     std::vector<std::string> reasons;
     /// The exporter's refusals, with their places.
     std::vector<Diagnostic> refusals;
 
-    /// The file that the scene was judged against; empty: POV-Ray was asked.
+    /// The file against which the scene was judged; empty for POV-Ray.
     std::string picture{};
-    /// What makes all of the other picture different, where there is one such thing; asked of files
-    /// alone.
+    /// A single cause of all differences, if there is one; only for pictures from files.
     std::optional<std::string> cause{};
 
-    // The rest as far as it came to that.
+    // The other members are set as far as the validation came.
     reference::ExportView view;
     double factor = 1;    ///< of lengths in the export
     double exposure = 1;  ///< of light, in both pictures
@@ -84,16 +84,16 @@ struct Validation {
     std::string pov_version;
 };
 
-/// A validation that `judge` completes: names, view and thresholds are those of the job. Errors of
-/// files and scenes are a verdict.
+/// Makes a validation with names, view and thresholds of the job, which `judge` completes. Errors
+/// of files and scenes become a verdict.
 Validation validation_of(const ValidationJob& job, const std::function<void(Validation&)>& judge);
 
-/// Compares the two pictures of `result`; the judgement decides on pixels, not this. False, with
-/// the verdict and its reason, when they cannot be compared.
+/// Measures the differences of the two pictures of `result`; the judgement does not depend on this.
+/// Returns false, with a verdict and a reason, when they cannot be compared.
 bool compare_pictures(Validation& result);
 
-/// Renders ours, exports, runs POV-Ray, compares and judges. What goes wrong with POV-Ray, the
-/// exporter or our renderer is a verdict; throws nothing but what memory throws.
+/// Renders our picture, exports, runs POV-Ray, compares and judges. A failure of POV-Ray, the
+/// exporter or our renderer is a verdict; throws only std::bad_alloc.
 Validation validate_scene(const ValidationJob& job, const OurRenderer& renderer,
                           const reference::PovRay& povray, const reference::PovOptions& options);
 

@@ -13,7 +13,7 @@ namespace lancer::judge {
 
 namespace {
 
-/// Pairs of objects with faces in one place that a page lists.
+/// The largest number of pairs of coincident objects that a page lists.
 constexpr std::size_t most_pairs_told = 20;
 
 std::string percent(double share) {
@@ -74,7 +74,7 @@ void add_measures(ReportEntry& entry, const Validation& v) {
     plain("FLIP", v.comparison.flip);
 }
 
-/// The rules that the scene can meet.
+/// The rules that apply to the scene.
 std::string rule_names(const std::vector<reference::KnownDifference>& known) {
     std::vector<std::string> names;
     for (const reference::KnownDifference& k : known) names.push_back(reference::rule_name(k.rule));
@@ -104,7 +104,7 @@ void add_markers(ReportEntry& entry, const Validation& v) {
     sort_markers(entry.markers);
 }
 
-/// What was done, to be typed: other names of the files, and nothing else.
+/// The commands to repeat the validation; only the file names differ.
 std::string commands_of(const Validation& v) {
     const std::string size = fmt::format("{}x{}", v.view.width, v.view.height);
     const std::string name = slug(v.name);
@@ -125,7 +125,7 @@ std::string commands_of(const Validation& v) {
         v.scene_words, size, name, v.exposure, fmt::join(povray, " "), v.thresholds.interior);
 }
 
-/// One sentence: how many pixels agree, and what became of the others.
+/// One sentence: how many pixels agree, and the classes of the others.
 std::string summary_of(const Validation& v) {
     const Judgement& j = v.judgement;
     std::vector<std::string> others;
@@ -142,7 +142,7 @@ std::string summary_of(const Validation& v) {
                        fmt::join(others, ", "));
 }
 
-/// The exported scene and the pictures, with all their bits.
+/// Adds the exported scene and the pictures with full precision.
 void add_files(ReportEntry& entry, const Validation& v) {
     const std::string name = slug(v.name);
     const auto add = [&](const std::string& file, const std::string& label, std::string bytes) {
@@ -165,7 +165,7 @@ void add_notes(ReportEntry& entry, const Validation& v) {
         entry.notes.push_back(
             {"Known difference: " + reference::rule_name(known.rule), known.explanation});
     }
-    // Opaque on opaque is no matter: no ray gets there.
+    // Coincident opaque faces do not matter: no ray reaches them.
     std::vector<std::string> told;
     for (std::size_t i = 0; i < v.coincidences.size(); ++i)
         if (v.coincidences[i].resolution != reference::Coincidence::Resolution::hidden)

@@ -48,7 +48,7 @@ nlohmann::ordered_json shift_json(const Shift& shift) {
             {"count", shift.count}};
 }
 
-/// The unexplained pixels first, of these the largest differences; at most 20.
+/// The worst pixels: unexplained ones first, then by decreasing difference; at most 20.
 nlohmann::ordered_json worst_json(const Judgement& judgement, const std::string& other) {
     std::vector<DifferentPixel> worst = judgement.different;
     std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
@@ -68,7 +68,7 @@ nlohmann::ordered_json worst_json(const Judgement& judgement, const std::string&
     return list;
 }
 
-/// Classes that take POV-Ray, which a picture cannot be asked.
+/// Classes that need POV-Ray, which a picture cannot replace.
 std::vector<std::string> names_of_undecidable() {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < pixel_classes; ++i) {
@@ -148,7 +148,7 @@ std::string validations_to_json(const std::vector<Validation>& validations,
     if (!povray_version.empty()) json["povray"] = povray_version;
     json["scenes"] = nlohmann::ordered_json::array();
     for (const Validation& v : validations) json["scenes"].push_back(scene_json(v));
-    // Messages of other programs may hold any bytes.
+    // Messages of other programs may contain any bytes.
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
