@@ -10,8 +10,8 @@ namespace lancer::reference {
 
 namespace {
 
-/// Eleven evenly spaced entries of the published table of 256, sRGB. Linear in between, which is
-/// within 3/255 of the table.
+/// Eleven evenly spaced entries of the published table of 256, in sRGB. Linear interpolation
+/// between them is within 3/255 of the table.
 constexpr std::array<std::array<int, 3>, 11> samples = {{{0x00, 0x00, 0x04},
                                                          {0x15, 0x0e, 0x37},
                                                          {0x3b, 0x0f, 0x70},
@@ -24,7 +24,7 @@ constexpr std::array<std::array<int, 3>, 11> samples = {{{0x00, 0x00, 0x04},
                                                          {0xfe, 0xce, 0x91},
                                                          {0xfc, 0xfd, 0xbf}}};
 
-/// IEC 61966-2-1.
+/// The decoding function of sRGB, IEC 61966-2-1.
 double linear_from_srgb(double v) {
     return v <= 0.04045 ? v / 12.92 : elementary::pow((v + 0.055) / 1.055, 2.4);
 }

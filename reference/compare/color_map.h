@@ -1,4 +1,4 @@
-// From a number to a colour whose lightness grows evenly with it.
+// Maps a number to a colour whose lightness grows evenly with it.
 #pragma once
 
 #include "model/math.h"
@@ -6,8 +6,8 @@
 namespace lancer::reference {
 
 /// matplotlib's "magma" (Stéfan van der Walt and Nathaniel Smith, 2015, public domain): from black
-/// over purple and orange to a pale yellow, evenly in lightness, so that it also reads in grey and
-/// for the colour-blind. `t` is clamped to 0..1. Returns linear light.
+/// through purple and orange to pale yellow. Its lightness grows evenly, so it is readable in grey
+/// and for the colour-blind. `t` is clamped to 0..1. Returns linear light.
 Color magma(double t);
 
 }  // namespace lancer::reference

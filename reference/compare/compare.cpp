@@ -20,7 +20,7 @@ std::size_t pixels_of(const Image& image) {
     return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
-/// The values of the counted pixels that are NaN or infinite.
+/// The indices of values of counted pixels that are NaN or infinite.
 std::vector<std::size_t> non_finite_values(const Image& image, const PixelMask& counted) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < image.data.size(); ++i) {
@@ -38,15 +38,15 @@ std::string describe_non_finite(const Image& image, const std::vector<std::size_
                        found.size() == 1 ? " that is" : "s that are", pixel % width, pixel / width);
 }
 
-/// Whether the fourth channel, which has to be there, is 1 in every pixel.
+/// Whether the fourth channel, which must exist, is 1 in every pixel.
 bool is_opaque(const Image& image) {
     for (std::size_t i = 3; i < image.data.size(); i += static_cast<std::size_t>(image.channels))
         if (image.data[i] != 1) return false;
     return true;
 }
 
-/// Why the two cannot be measured against each other; empty when they can. Counts the values that
-/// are not finite.
+/// Why the two pictures cannot be compared; empty when they can. Counts the values that are not
+/// finite.
 std::string why_not_comparable(const Image& a, const Image& b, const PixelMask& counted,
                                Comparison& found) {
     if (a.width != b.width || a.height != b.height) {
@@ -73,7 +73,7 @@ std::string why_not_comparable(const Image& a, const Image& b, const PixelMask& 
     return {};
 }
 
-/// Mean, RMSE, PSNR and the maximum with its place.
+/// Measures mean, RMSE, PSNR and the maximum with its place.
 void measure_values(const Image& a, const Image& b, const PixelMask& counted, Comparison& result) {
     double sum = 0;
     double sum_of_squares = 0;
@@ -119,7 +119,8 @@ double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Which pixels are over, where they crowd, and whether that is too much.
+/// Finds the pixels that are over and the window with most of them, and decides whether these are
+/// too many.
 void judge_pixels(const Image& a, const Image& b, const std::vector<double>& differences,
                   const CompareOptions& options, Comparison& result) {
     std::vector<std::uint8_t> against(differences.size());
@@ -139,7 +140,7 @@ void judge_pixels(const Image& a, const Image& b, const std::vector<double>& dif
     }
     result.densest = densest_window(against, a.width, options.window);
 
-    // In pixels, not in percent: 0.1 % of 1000 pixels must allow exactly one.
+    // Computed in pixels and not in percent: 0.1 % of 1000 pixels must allow exactly one.
     const double allowed = options.fail_percent * static_cast<double>(result.pixels) / 100.0;
     const char* apart = options.edges_may_move ? " away from edges" : "";
     if (static_cast<double>(number()) > allowed) {

@@ -1,4 +1,5 @@
-// Two pictures of the same thing: how far apart, where, and is that too far.
+// Compares two pictures of the same scene: how much they differ, where, and whether that is too
+// much.
 #pragma once
 
 #include <cstddef>
@@ -11,37 +12,37 @@
 
 namespace lancer::reference {
 
-/// When a comparison fails, and what is worth computing.
+/// When a comparison fails, and what to compute.
 struct CompareOptions {
-    /// A pixel is over when its difference (see pixel_differences) is greater than this; linear
+    /// A pixel is over when its difference (see pixel_differences) is greater than this, in linear
     /// light.
     double fail = 0;
     /// The comparison fails when more than this percentage of the pixels is over.
     double fail_percent = 0;
     bool flip = true;  ///< also the FLIP metric, by far the slowest
-    /// Only these pixels are looked at: all measures are of them alone.
+    /// Only these pixels count, in all measures.
     PixelMask counted{};
-    /// Pixels that are over by an edge which lies a pixel's width elsewhere (find_moved_edges)
-    /// do not make the comparison fail.
+    /// Pixels that are over because an edge is displaced by up to a pixel's width
+    /// (find_moved_edges) do not make the comparison fail.
     bool edges_may_move = false;
     int window = 16;  ///< side of the window that is searched for, pixels, at least 1
-    /// The comparison fails when in some window more than this percentage of the pixels is over.
+    /// The comparison fails when more than this percentage of the pixels of some window is over.
     double fail_window = 100;
 };
 
-/// What compare_images found. All differences are in linear light, not relative to anything.
+/// The result of compare_images. All differences are absolute, in linear light.
 struct Comparison {
     bool pass = false;
     /// Why it failed, one sentence without a full stop; empty when it passed.
     std::string reason;
-    /// False when there is nothing to measure: sizes or channels differ, or a value is NaN or
-    /// infinite. Then it failed, and the numbers below the line are meaningless.
+    /// False when nothing can be measured: sizes or channels differ, or a value is NaN or infinite.
+    /// Then the comparison failed, and the numbers below the line are meaningless.
     bool comparable = false;
     std::size_t non_finite_a = 0;  ///< values of the first picture that are NaN or infinite
     std::size_t non_finite_b = 0;
 
-    /// The curves that the two files were decoded by (io::curve_of), for whoever read them to set.
-    /// Where they differ the same number in the two files is another value.
+    /// The curves by which the two files were decoded (io::curve_of), set by the caller that read
+    /// them. If they differ, equal numbers in the two files are different values.
     std::string curve_a;
     std::string curve_b;
 
@@ -64,30 +65,30 @@ struct Comparison {
     double p999 = 0;  ///< 99.9 % of the pixels
     std::size_t pixels_over = 0;
     double over = 0;  ///< share of the pixels over CompareOptions::fail, 0..1
-    /// Of pixels_over: those that an edge explains, see picture_edges.h. The verdict counts them
-    /// unless CompareOptions::edges_may_move.
+    /// How many of pixels_over an edge explains, see picture_edges.h. They count for the verdict
+    /// unless CompareOptions::edges_may_move is set.
     std::size_t over_at_edges = 0;
     Window densest;   ///< with most of the pixels that count against the verdict
     double flip = 0;  ///< mean FLIP error, 0..1, see flip.h; 0 when not asked for
 };
 
-/// How many channels of the two are compared: all but the named extra ones, and without an alpha
-/// that only one of them has and that is 1 everywhere. 0 when the channels differ.
+/// The number of channels that are compared: all but the named extra ones. An alpha that only one
+/// of the pictures has is ignored if it is 1 everywhere. 0 when the channels differ.
 int compared_channels(const Image& a, const Image& b);
 
 /// Per pixel, rows from the top: the largest of the absolute differences of its channels. Both
 /// pictures must have the same size and compared_channels().
 std::vector<double> pixel_differences(const Image& a, const Image& b);
 
-/// The same, with 0 where a pixel is not `counted`.
+/// The same, with 0 for pixels that are not in `counted`.
 std::vector<double> counted_differences(const Image& a, const Image& b, const PixelMask& counted);
 
-/// The smallest value with at least `share` (0..1] of the values at or below it. Reorders `values`,
-/// which must not be empty.
+/// The smallest value for which at least the share `share` (0..1] of the values is not larger.
+/// Reorders `values`, which must not be empty.
 double percentile(std::vector<double>& values, double share);
 
-/// Measures `a` against `b`. Never throws for what the pictures hold: pictures that cannot be
-/// compared are a comparison that failed.
+/// Measures `a` against `b`. Does not throw for any content of the pictures: if they cannot be
+/// compared, the comparison fails.
 Comparison compare_images(const Image& a, const Image& b, const CompareOptions& options);
 
 }  // namespace lancer::reference

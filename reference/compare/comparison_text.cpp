@@ -9,7 +9,7 @@ namespace lancer::reference {
 
 namespace {
 
-/// Name of a channel by its number.
+/// The name of a channel.
 std::string channel_name(int channel, int channels) {
     if (channels <= 2) return channel == 0 ? "grey" : "alpha";
     static constexpr const char* names[] = {"red", "green", "blue", "alpha"};

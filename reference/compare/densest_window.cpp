@@ -15,7 +15,7 @@ Window densest_window(const std::vector<std::uint8_t>& flags, int width, int sid
     const auto columns = static_cast<std::size_t>(width);
     const int height = static_cast<int>(flags.size() / columns);
     Window best{0, 0, std::min(side, width), std::min(side, height), 0};
-    // sums[x]: flags of column x in the rows of the window that slides down.
+    // sums[x]: the number of flags in column x, in the rows of the current window.
     std::vector<std::size_t> sums(columns, 0);
     for (int row = 0; row < height; ++row) {
         const auto flag = [&](int y, std::size_t x) -> std::size_t {

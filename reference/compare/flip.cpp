@@ -19,7 +19,7 @@ using elementary::pow;
 
 // ---- Colour spaces (paper, section 4.1.1 and its supplement)
 
-/// Linear RGB with the primaries of sRGB (IEC 61966-2-1) to CIE XYZ; white is D65 with five digits,
+/// Linear RGB with the primaries of sRGB (IEC 61966-2-1) to CIE XYZ. White is D65 with five digits,
 /// (0.31271, 0.32902), and has Y = 1.
 constexpr std::array<Vec3d, 3> rgb_to_xyz = {
     Vec3d{10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0},
@@ -95,7 +95,7 @@ Kernel sampled(int radius, const std::function<double(double)>& weight) {
     return kernel;
 }
 
-/// Each row correlated with `kernel`; beyond the border the nearest pixel counts.
+/// Correlates each row with `kernel`. Beyond the border, the nearest pixel is used.
 Plane filter_rows(const Plane& in, const Kernel& kernel) {
     const auto width = static_cast<std::size_t>(in.width);
     const std::size_t radius = kernel.size() / 2;
@@ -114,7 +114,7 @@ Plane filter_rows(const Plane& in, const Kernel& kernel) {
     return out;
 }
 
-/// Each column likewise.
+/// The same for each column.
 Plane filter_columns(const Plane& in, const Kernel& kernel) {
     const auto width = static_cast<std::size_t>(in.width);
     const int radius = static_cast<int>(kernel.size() / 2);
@@ -144,14 +144,15 @@ constexpr Sensitivity achromatic{1, 0.0047, 0, 1e-5};
 constexpr Sensitivity red_green{1, 0.0053, 0, 1e-5};
 constexpr Sensitivity blue_yellow{34.1, 0.04, 13.5, 0.025};
 
-/// The filter of all channels reaches as far as three deviations of the widest one.
+/// The filters of all channels have the same radius: three standard deviations of the widest.
 int sensitivity_radius(double pixels_per_degree) {
     return static_cast<int>(
         std::ceil(3 * std::sqrt(blue_yellow.b1 / (2 * pi * pi)) * pixels_per_degree));
 }
 
-/// A Gaussian in two dimensions is a product, a sum of two is not: filter with each, then weigh.
-/// The whole two-dimensional kernel sums to 1.
+/// A two-dimensional Gaussian is a product of two one-dimensional ones, but a sum of Gaussians is
+/// not. So each is filtered separately, then they are weighted. The whole two-dimensional kernel
+/// sums to 1.
 Plane apply_sensitivity(const Plane& in, const Sensitivity& s, double pixels_per_degree) {
     const int radius = sensitivity_radius(pixels_per_degree);
     const auto gaussian = [&](double b) {
@@ -202,7 +203,7 @@ std::array<Plane, 3> opponent_planes(const Image& image) {
     return planes;
 }
 
-/// What the eye resolves of a picture, in the space in which colours are told apart.
+/// The picture as the eye resolves it, in the space in which colour differences are measured.
 std::vector<Vec3d> perceived_colors(const std::array<Plane, 3>& planes, double pixels_per_degree) {
     const Plane y = apply_sensitivity(planes[0], achromatic, pixels_per_degree);
     const Plane x = apply_sensitivity(planes[1], red_green, pixels_per_degree);
@@ -220,8 +221,9 @@ std::vector<Vec3d> perceived_colors(const std::array<Plane, 3>& planes, double p
 
 constexpr double color_exponent = 0.7;  // q_c
 
-/// Colour difference mapped to 0..1: the largest possible one (green against blue) becomes 1, and
-/// the part below 40 % of it takes 95 % of the range, since above that all looks just different.
+/// Maps a colour difference to 0..1. The largest possible one (green against blue) becomes 1. The
+/// part below 40 % of it takes 95 % of the range, because larger differences all look equally
+/// different.
 double redistributed(double difference, double largest) {
     constexpr double p_c = 0.4;
     constexpr double p_t = 0.95;
@@ -231,9 +233,9 @@ double redistributed(double difference, double largest) {
     return p_t + (e - knee) / (largest - knee) * (1 - p_t);
 }
 
-/// Strength of edges and points (lines, dots) in the achromatic channel, section 4.2: derivatives
-/// of a Gaussian as wide as half a detected feature, their positive and negative parts normalised
-/// to 1.
+/// The strength of edges and points (lines, dots) in the achromatic channel, section 4.2:
+/// derivatives of a Gaussian as wide as half a detected feature, whose positive and negative parts
+/// are normalised to 1.
 struct Features {
     Plane edges;
     Plane points;

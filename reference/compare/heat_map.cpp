@@ -16,7 +16,7 @@ namespace lancer::reference {
 namespace {
 
 constexpr int decades = 6;  // from heat_lowest to heat_highest
-constexpr int margin = 10;  // left and right of the bar: half a numeral
+constexpr int margin = 10;  // left and right of the bar: half of a numeral
 constexpr int narrowest = 2 * margin + decades * 20;
 constexpr int gap = 4;
 constexpr int bar_height = 8;

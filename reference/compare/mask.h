@@ -1,4 +1,4 @@
-// Which pixels of two pictures are compared.
+// The pixels of two pictures that are compared.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace lancer::reference {
 
-/// 1 where a pixel is compared. Without flags all of them are.
+/// 1 where a pixel is compared. Without flags, all pixels are.
 struct PixelMask {
     int width = 0;
     int height = 0;
@@ -24,7 +24,7 @@ PixelMask mask_from(const Image& picture);
 /// How many of `pixels` pixels are compared.
 std::size_t counted_pixels(const PixelMask& mask, std::size_t pixels);
 
-/// The picture with all pixels black that are not compared.
+/// Sets all pixels to black that are not compared.
 Image blacked_out(Image picture, const PixelMask& mask);
 
 }  // namespace lancer::reference

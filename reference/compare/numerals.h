@@ -10,12 +10,12 @@ namespace lancer::reference {
 
 inline constexpr int numeral_height = 5;
 
-/// Width in pixels of `text` as draw_numerals draws it.
+/// The width in pixels of `text` when draw_numerals draws it.
 int numerals_width(std::string_view text);
 
-/// Draws `text`, of the characters 0-9 e . - and space, with its top left corner at (x, y). What
-/// falls outside the picture is cut off; other characters are left blank. `image` has 3 channels or
-/// more.
+/// Draws `text`, which consists of 0-9 e . - and spaces, with its top left corner at (x, y). Parts
+/// outside of the picture are cut off; other characters are left blank. `image` must have at least
+/// 3 channels.
 void draw_numerals(Image& image, int x, int y, std::string_view text, const Color& color);
 
 }  // namespace lancer::reference

@@ -14,7 +14,7 @@ std::size_t index_of(const Image& image, int x, int y) {
            static_cast<std::size_t>(x);
 }
 
-/// A line of pixels through a picture: across or down.
+/// A row or a column of pixels.
 class Line {
   public:
     Line(const Image& image, int channels, int fixed, bool across)
@@ -24,7 +24,7 @@ class Line {
     std::size_t pixel(int i) const {
         return across_ ? index_of(image_, i, fixed_) : index_of(image_, fixed_, i);
     }
-    /// The largest difference of a channel; 0 where one of the two lies outside.
+    /// The largest difference of a channel; 0 when one of the pixels is outside.
     double change(int i, int j) const {
         if (i < 0 || j < 0 || i >= length() || j >= length()) return 0;
         double largest = 0;
@@ -32,7 +32,7 @@ class Line {
             largest = std::max(largest, std::abs(value(i, c) - value(j, c)));
         return largest;
     }
-    /// Whether the picture steps from pixel i to pixel j, which come one or two later.
+    /// Whether the picture has a step from pixel i to pixel j, one or two pixels further.
     bool steps(int i, int j) const {
         const double height = change(i, j);
         return height >= least_step && height >= step_against_slopes * change(i - 1, i) &&
@@ -59,7 +59,7 @@ void mark_edges(const Line& line, std::vector<std::uint8_t>& flags) {
     }
 }
 
-/// Whether each of the channels at (x, y) of `of` lies within what `among` has around there.
+/// Whether each channel of `of` at (x, y) lies within the range of `among` around that pixel.
 bool lies_within(const Image& of, const Image& among, int x, int y, int channels,
                  double tolerance) {
     for (int c = 0; c < channels; ++c) {

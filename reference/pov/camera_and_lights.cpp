@@ -10,8 +10,8 @@ namespace lancer::reference::pov {
 
 namespace {
 
-/// POV-Ray's gradient runs from 0 to 1 along its axis, where a direction's coordinate runs from -1
-/// to 1. It is laid between a quarter and three quarters, where nothing repeats.
+/// POV-Ray's gradient runs from 0 to 1 along its axis, while a coordinate of a direction runs from
+/// -1 to 1. The gradient is placed between a quarter and three quarters, where nothing repeats.
 void write_sky(Writer& writer, const Gradient& sky) {
     if (sky.stops.size() > 256)
         writer.refuse({}, "POV-Ray's colour maps hold at most 256 stops, and the sky has more");
@@ -76,8 +76,8 @@ void write_camera(Writer& writer) {
     }
     text.line("location " + vector(location));
     text.line("direction " + vector(direction));
-    // POV-Ray is left-handed: a picture of our right-handed scene needs the right vector mirrored
-    // against POV-Ray's default, which is what a right-handed cross product gives.
+    // POV-Ray is left-handed. A picture of our right-handed scene needs the right vector mirrored
+    // against POV-Ray's default; a right-handed cross product gives this vector.
     text.line("right " + vector(across));
     text.line("up " + vector(upright));
     text.close();
@@ -106,8 +106,8 @@ struct LightWriter {
         write_fade(writer, light.fade);
     }
     void operator()(const DirectionalLight& light) const {
-        // What lies behind the plane of a parallel light is lit without shadow, so it stands as far
-        // out as POV-Ray sees: half of its limit of 1e7.
+        // POV-Ray lights what lies behind the plane of a parallel light without shadow. So the
+        // light stands as far away as POV-Ray can see: half of its limit of 1e7.
         writer.text.line(vector(-normalize(light.direction) * far_away) + ", " + color);
         writer.text.line("parallel point_at " + vector(Vec3d{}));
     }
@@ -117,7 +117,8 @@ struct LightWriter {
 }  // namespace
 
 void write_light(Writer& writer, const Light& light) {
-    // `spotlight` and `shadowless` are two values of one setting there: the later word wins.
+    // In POV-Ray, `spotlight` and `shadowless` are two values of one setting, and the later word
+    // wins.
     if (!light.shadows && std::holds_alternative<SpotLight>(light.kind))
         writer.refuse(light.place, "POV-Ray's lights without shadows have no cone",
                       "give the spot light shadows, or use a point light");

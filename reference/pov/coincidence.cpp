@@ -24,7 +24,7 @@ bool is_equal(const Material& a, const Material& b) {
     return parts(a) == parts(b);
 }
 
-/// What the contact rule asks of an object: docs/shading.md, "Contact".
+/// The properties of an object for the contact rule: docs/shading.md, "Contact".
 struct Kind {
     bool body = false;
     bool clear = false;  ///< lets light pass
@@ -49,8 +49,8 @@ class Resolver {
             decide(pair, first, second);
             return pair;
         }
-        // Where a cutter ends in a face of its own body nothing is there. Else its face is the wall
-        // of a hole, in which another body may stand.
+        // Where a cutter ends in a face of its own body, there is nothing. Otherwise its face is
+        // the wall of a hole, in which another body may stand.
         pair.alike = !pair.alike;
         const bool wall = a.shows && b.shows && pair.front.turned != pair.back.turned &&
                           first.body && second.body;
@@ -74,7 +74,7 @@ class Resolver {
         if (!first.body || !second.body) {
             with_sheet(pair, first, second);
         } else if (pair.alike) {
-            // What the ray meets first is what shows, or what it enters first.
+            // The body that the ray meets first is the one that shows, or that it enters first.
             if (first.clear && second.clear) return;
             if (second.clear || !first.clear)
                 pair.resolution = Resolution::in_front;
@@ -101,8 +101,8 @@ class Resolver {
         return scene_.composites[std::get<CompositeRef>(scene_.objects[object].shape).composite];
     }
 
-    /// Two parts of one body: a cutter that ends in a face reaches out of it, parts that are glued
-    /// overlap, and of two faces that look the same way the first declared shows.
+    /// Two parts of one composite. A cutter that ends in a face must reach out of it, glued parts
+    /// overlap, and of two faces that point the same way, the first declared shows.
     FacePair within(FacePair pair) const {
         const bool cuts = is_cutter(pair.front);
         if (cuts != is_cutter(pair.back)) {
@@ -126,7 +126,8 @@ class Resolver {
         pair = FacePair{front, back, true, Resolution::in_front};
     }
 
-    /// A sheet is seen from both sides, so only a body can hide it, or be hidden from outside.
+    /// A sheet is visible from both sides. So only a body can hide it, or be hidden by it from
+    /// outside.
     static void with_sheet(FacePair& pair, const Kind& first, const Kind& second) {
         if (!first.body && !second.body) return;
         const bool sheet_is_first = !first.body;

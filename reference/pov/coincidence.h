@@ -1,4 +1,4 @@
-// Faces of different objects in one place: glued blocks, a glass standing on a table.
+// Coincident faces of different objects: glued blocks, a glass standing on a table.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace lancer::reference::pov {
 
-/// Two faces in one place. `front` and `back` say what the resolution asks for: with `alike` that
-/// `front` lies further out, else that the two bodies overlap, and `front` is the one to grow.
+/// Two coincident faces. If `alike`, the resolution puts `front` further out; otherwise it makes
+/// the two bodies overlap, and `front` is the one that grows.
 struct FacePair {
     Face front;
     Face back;
@@ -18,10 +18,10 @@ struct FacePair {
     Coincidence::Resolution resolution = Coincidence::Resolution::none;
 };
 
-/// All pairs. Looks at the first 4,000 faces.
+/// All pairs. Examines only the first 4,000 faces.
 std::vector<FacePair> face_pairs(const Scene& scene);
 
-/// One entry for two objects, at the first face that they share, by the order of declaration.
+/// One entry per pair of objects, at the first face that they share, in the order of declaration.
 std::vector<Coincidence> coincidences(const std::vector<FacePair>& pairs);
 
 }  // namespace lancer::reference::pov

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Composite::Kind;
 
-/// Inner walls of a union that light passes would be seen.
+/// The inner walls of a transparent union would be visible, so it becomes a merge.
 std::string opening(Kind kind, bool clear) {
     switch (kind) {
         case Kind::unite:

@@ -8,9 +8,9 @@
 
 namespace lancer::reference::pov {
 
-/// The objects' indices in the order of the scene, but for bodies that light passes and that may
-/// hold the camera: these stand from the largest to the smallest, because POV-Ray takes those that
-/// hold the camera to have been entered in the order of declaration.
+/// The objects' indices in the order of the scene, except for transparent bodies that may contain
+/// the camera. These are sorted from the largest to the smallest, because POV-Ray assumes that a
+/// camera inside of several bodies entered them in the order of declaration.
 std::vector<std::uint32_t> declaration_order(const Scene& scene, const ExportView& view);
 
 }  // namespace lancer::reference::pov

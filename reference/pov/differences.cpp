@@ -15,7 +15,7 @@ namespace {
 
 using Rule = KnownDifference::Rule;
 
-/// What the rules ask of an object.
+/// The properties of an object that the rules depend on.
 struct Traits {
     std::uint32_t object = 0;
     Bounds bounds;  ///< in the picture's units; empty for a plane
@@ -30,7 +30,7 @@ struct Traits {
     bool patch = false;
 };
 
-/// Whether a plane passes through a box or touches it.
+/// Whether a plane intersects or touches a box.
 bool meets_plane(const Traits& plane, const Bounds& box) {
     const Vec3d middle = (box.low + box.high) / 2.0;
     const double reach = dot(absolute(plane.normal), (box.high - box.low) / 2.0);
@@ -64,7 +64,7 @@ class Search {
     }
 
   private:
-    /// A composite has those of each of its materials.
+    /// Adds an object; a composite is added with each of its materials.
     void add(std::uint32_t index) {
         const Object& object = scene_.objects[index];
         Traits t = traits_of(object);
@@ -85,7 +85,7 @@ class Search {
         if (const auto* plane = std::get_if<Plane>(&object.shape)) {
             t.plane = true;
             const Vec3d own = normalize(plane->normal);
-            // A normal moves with the transposed inverse.
+            // Normals are transformed by the transposed inverse.
             t.normal = normalize(map_transposed(inverse(to_world), own));
             t.offset = dot(t.normal, scale_(map_point(to_world, own * plane->offset)));
         }
@@ -126,7 +126,7 @@ class Search {
             if (test(t) && (out.empty() || out.back() != t.object)) out.push_back(t.object);
         return out;
     }
-    /// True without looking where there are too many pairs to look at.
+    /// True without a test when there are too many pairs.
     bool meets_another(const Traits& t, const auto& other) const {
         if (objects_.size() > 20000) return true;
         return std::any_of(objects_.begin(), objects_.end(), [&](const Traits& o) {
@@ -165,7 +165,8 @@ class Search {
 
     static bool bends(const Traits& t) { return t.body && t.passes && t.material->ior != 1; }
     static bool is_passed_body(const Traits& t) { return t.body && t.passes; }
-    /// Sheets, air, and a body that a ray leaves while it is in another one.
+    /// Sheets, bodies with the index of air, and bodies that a ray may leave while it is in another
+    /// one.
     bool may_pass_straight(const Traits& t) const {
         return !t.body || t.material->ior == 1 || meets_another(t, is_passed_body) ||
                scene_.settings.max_depth == 1;

@@ -1,4 +1,4 @@
-// What POV-Ray does otherwise by rule, found in a scene before it is rendered.
+// Finds, before rendering, in what POV-Ray will differ by its own rules.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace lancer::reference::pov {
 
-/// The rules that this scene can meet, each with the objects where it can show. Errs on the side of
-/// naming one: boxes stand for objects where only these are compared.
+/// The rules that may apply to this scene, each with the objects where it may show. May name too
+/// many: some tests compare only the boxes of objects.
 std::vector<KnownDifference> known_differences(const Scene& scene, PowerOfTen scale,
                                                const std::vector<Coincidence>& coincidences);
 

@@ -38,8 +38,9 @@ PowerOfTen scale_for(const Scene& scene, const ExportView& view, const ExportOpt
     return export_scale(scene, view, options.keep_lengths);
 }
 
-/// Of a resolution, in units of the scene: some times POV-Ray's least distance of a shadow, and
-/// more than single precision leaves of a bounding box, behind which POV-Ray looks for nothing.
+/// The step of a resolution, in units of the scene: several times POV-Ray's least distance of a
+/// shadow. It is also more than the single-precision error of a bounding box, beyond which POV-Ray
+/// does not search.
 double resolving_step(const Scene& scene, const std::vector<FacePair>& pairs, PowerOfTen scale) {
     double farthest = 0;
     for (const FacePair& pair : pairs) {

@@ -1,4 +1,4 @@
-// Scene → POV-Ray. What is written, feature by feature, stands in docs/export.md.
+// Scene → POV-Ray. docs/export.md describes the output, feature by feature.
 #pragma once
 
 #include <cstdint>
@@ -12,50 +12,49 @@
 
 namespace lancer::reference {
 
-/// Which picture of a scene is meant.
+/// The camera and the size of the picture.
 struct ExportView {
     std::uint32_t camera = 0;  ///< index into Scene::cameras
     int width = 640;
     int height = 480;
 };
 
-/// 3 x 3 points of a picture instead of the whole, for asking POV-Ray about one pixel.
+/// 3 x 3 points of a picture instead of the whole, to examine one pixel in POV-Ray.
 struct CloseUp {
-    double x = 0;                     ///< of the middle one, in pixels from the left
+    double x = 0;                     ///< of the middle point, in pixels from the left
     double y = 0;                     ///< and from the top
     double pitch = 0;                 ///< pixels
     static constexpr int points = 3;  ///< on each side
 };
 
 struct ExportOptions {
-    /// Names the scene in the header comment and begins the names of the assets. A plain file name.
+    /// Names the scene in the header comment; the names of assets begin with it. A plain file name.
     std::string name = "scene";
-    /// Multiplies every light, the ambient light, emission and the background: a picture whose
-    /// values pass 1 would be clipped in a PNG. The other side of a comparison is multiplied by it
-    /// as well.
+    /// Multiplies every light, the ambient light, emission and the background, because a PNG clips
+    /// values above 1. The other picture of a comparison is multiplied as well.
     double exposure = 1;
-    /// Lengths stay those of the scene wherever POV-Ray can stand them: easier to read and to work
-    /// on, but its constants (no hits nearer than 1e-4, no shadows nearer than 1e-3) show in more
-    /// pixels.
+    /// Keeps the scene's lengths wherever POV-Ray can handle them. The file is easier to read and
+    /// to edit, but POV-Ray's constants (no hits nearer than 1e-4, no shadows nearer than 1e-3)
+    /// show in more pixels.
     bool keep_lengths = false;
-    /// Lengths are multiplied by ten to this power instead, whatever POV-Ray makes of them: for
-    /// finding out where its constants begin to show.
+    /// If set, lengths are multiplied by ten to this power, even if POV-Ray cannot handle the
+    /// result: to find out where its constants begin to show.
     std::optional<int> decades{};
-    /// Where faces coincide, which POV-Ray resolves by no rule, objects grow or move by a few
-    /// thousandths of POV-Ray's unit, so that POV-Ray must do as Lancer's contact rule says; and
-    /// the whole is larger, so that nobody sees it. For asking POV-Ray what it makes of that.
+    /// POV-Ray has no rule for coincident faces. With this option, objects grow or move by a few
+    /// thousandths of POV-Ray's unit, so that POV-Ray follows Lancer's contact rule. The whole
+    /// scene is larger, so that the change is invisible.
     bool resolve_coincidences = false;
-    /// The camera looks at this place of the view's picture alone.
+    /// Only this place of the view's picture is rendered.
     std::optional<CloseUp> close_up{};
 };
 
-/// A file that must stand beside the `.pov`.
+/// A file that must be beside the `.pov`.
 struct Asset {
     std::string name;  ///< without folders
     std::string bytes;
 };
 
-/// Something POV-Ray does otherwise by rule, in this scene, at these objects.
+/// A rule by which POV-Ray differs in this scene, and the objects concerned.
 struct KnownDifference {
     enum class Rule {
         absorption_inside,    ///< no absorption on what the inner side of a surface shows
@@ -78,11 +77,11 @@ struct KnownDifference {
         objects;  ///< indices into Scene::objects where it can show; may be empty
 };
 
-/// Faces of two objects in one place.
+/// Coincident faces of two objects.
 struct Coincidence {
-    /// How it is resolved by moving one of the two a little, as Lancer's contact rule resolves it.
+    /// How moving one of the two slightly gives the result of Lancer's contact rule.
     enum class Resolution {
-        hidden,      ///< opaque on opaque: no ray gets there
+        hidden,      ///< opaque on opaque: no ray reaches them
         sunk,        ///< a clear body on an opaque surface: sunk into it
         merged,      ///< one glass, glued: one body
         overlapped,  ///< clear bodies of two materials, face to face: entered before left
@@ -100,9 +99,9 @@ std::string resolution_name(Coincidence::Resolution resolution);
 /// "absorption-inside" and so on: the name used in reports and in docs/export.md.
 std::string rule_name(KnownDifference::Rule rule);
 
-/// Something that POV-Ray can only come near to.
+/// A feature that POV-Ray can only approximate.
 struct Approximation {
-    std::string explanation;  ///< what, and how near
+    std::string explanation;  ///< what, and how accurately
     SourceSpan where;
 };
 
@@ -115,18 +114,18 @@ struct ExportResult {
     std::vector<KnownDifference> known_differences;
     std::vector<Approximation> approximations;
     std::vector<Coincidence> coincidences;
-    /// With resolve_coincidences: the scene that `text` says, but for bodies that are merged there.
+    /// With resolve_coincidences: the scene that `text` describes, except for bodies that are
+    /// merged there.
     std::shared_ptr<const Scene> resolved;
     double unit = 1;  ///< POV-Ray's unit of length in the scene's: 1 / factor
-    /// Of the patches, in the order of Scene::patches: POV-Ray draws each as 2^h x 2^h x 2
-    /// triangles.
+    /// For each element of Scene::patches: POV-Ray draws every patch as 2^h x 2^h x 2 triangles.
     std::vector<int> patch_halvings;
-    /// Errors, each at its place: what POV-Ray has no word for. Nothing is left out silently.
+    /// Errors with places: features that POV-Ray does not have. Nothing is dropped silently.
     std::vector<Diagnostic> refusals;
 };
 
-/// Writes the scene as POV-Ray 3.7 would have to say it. The scene must be free of errors and
-/// `view` must name a camera of it. Reads no file and writes none.
+/// Writes the scene for POV-Ray 3.7. The scene must be free of errors and `view` must name one of
+/// its cameras. Reads and writes no files.
 ExportResult export_pov(const Scene& scene, const ExportView& view,
                         const ExportOptions& options = {});
 

@@ -46,7 +46,7 @@ int decade(double x) {
     return n;
 }
 
-/// What an exporter's scale depends on.
+/// The sizes that determine the export scale.
 struct SceneSize {
     double whole = 0;    ///< diagonal of all bounded objects and the camera
     double typical = 0;  ///< of an object: the median

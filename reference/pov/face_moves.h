@@ -1,4 +1,4 @@
-// Faces of boxes, cylinders and cones that move one by one.
+// Moves single faces of boxes, cylinders and cones.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace lancer::reference::pov {
 
-/// Moves a face of a shape outwards, by so much in the world.
+/// Moves a face of a shape outwards by the distance `by` in the world.
 struct FaceMove {
     const Affine<double>& to_world;
     std::uint32_t face;
     double by;
 
-    /// The same along an axis of the shape's own space.
+    /// The distance along an axis of the shape's own space.
     double along(const Vec3d& axis) const {
         return by * length(map_transposed(inverse(to_world), axis));
     }
@@ -33,7 +33,7 @@ struct FaceMove {
         (*this)(cone);
         s = {cone.base, cone.top, cone.base_radius, s.capped};
     }
-    /// The side keeps its place when an end moves. It is known where the map is a similarity.
+    /// The side keeps its place when an end moves. Moving the side itself requires a similarity.
     void operator()(Cone& s) const {
         const Vec3d axis = normalize(s.top - s.base);
         const double slope = (s.top_radius - s.base_radius) / length(s.top - s.base);
@@ -56,7 +56,7 @@ struct FaceMove {
     void operator()(auto&) const {}
 };
 
-/// A face that moves inwards may reach the one opposite.
+/// Checks the thickness: a face that moves inwards may reach the opposite one.
 struct HasThickness {
     bool operator()(const Box& box) const {
         return box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;

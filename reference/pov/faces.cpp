@@ -8,8 +8,8 @@ namespace lancer::reference::pov {
 
 namespace {
 
-/// Whether a direction across one of `a`'s edges parts two faces of one plane, or leaves them an
-/// edge.
+/// Whether a direction across one of `a`'s edges separates two faces of one plane, or leaves them
+/// only an edge in common.
 bool is_parted(const FlatFace& a, const FlatFace& b) {
     if (a.corners.empty() || b.corners.empty()) return false;
     const Vec3d& first = a.corners[0];

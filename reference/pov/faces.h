@@ -1,5 +1,5 @@
-// The faces of objects that another object's face can lie in: flat ones, and those round an axis or
-// a centre.
+// Faces of objects that may coincide with those of other objects: flat ones, and those around an
+// axis or a centre.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace lancer::reference::pov {
 
-/// Points p with normal·p = offset within the triangle or parallelogram of `corners`, which lies
-/// round the face; without corners, a whole plane.
+/// Points p with normal·p = offset within the triangle or parallelogram of `corners`, which
+/// encloses the face. Without corners, a whole plane.
 struct FlatFace {
     Vec3d normal{0, 0, 0};  ///< unit; out of a body
     double offset = 0;
     std::vector<Vec3d> corners;  ///< one, its two neighbours, and of four the last
 };
 
-/// A piece of a cylinder's or cone's side: at height h along the axis, from the axis' point nearest
-/// the origin, the radius is radius + slope·h.
+/// A piece of the side of a cylinder or cone. At height h along the axis, measured from the axis'
+/// point nearest the origin, the radius is radius + slope·h.
 struct RoundFace {
-    Vec3d axis{0, 0, 0};  ///< unit; of the two the one whose first component that is not 0 is > 0
+    Vec3d axis{0, 0, 0};  ///< unit; its first component that is not 0 is positive
     Vec3d point{0, 0, 0};
     double radius = 0;
     double slope = 0;
@@ -37,29 +37,29 @@ struct BallFace {
 struct Face {
     std::uint32_t object = 0;
     std::variant<FlatFace, RoundFace, BallFace> form;
-    /// Of a round face: 1 where the body lies within, -1 where it lies around. A flat face and a
-    /// ball's have 1.
+    /// For a round face: 1 when the body is inside, -1 when it is around. 1 for a flat face and a
+    /// sphere.
     int outward = 1;
     std::uint32_t part = none;  ///< of a composite: the leaf
-    /// Of a box, twice the axis across it, and one more for the upper face; of a capped cylinder or
-    /// cone the side, the base, the top. Such faces move one by one; other bodies grow as a whole.
+    /// For a box: twice the axis, plus one for the upper face. For a capped cylinder or cone: side,
+    /// base, top. Such faces move one by one; other bodies grow as a whole.
     std::uint32_t index = none;
-    bool shows = true;    ///< false: of a cutter, and in a face of its own body
-    bool turned = false;  ///< of a cutter, and seen as its body's: the inside is outside
+    bool shows = true;    ///< false: a cutter's face that lies in a face of its own body
+    bool turned = false;  ///< a cutter's face as the body shows it: inside and outside exchanged
 };
 
-/// The faces of all objects, at most `most` of them, meshes last. Of a curved lathe or prism the
-/// parts that are flat or straight; none of a patch.
+/// The faces of all objects, at most `most`, meshes last. For a curved lathe or prism, only the
+/// flat and straight parts; none for a patch.
 std::vector<Face> faces_of(const Scene& scene, std::size_t most);
 
-/// Whether two faces lie in one place, at least in part.
+/// Whether two faces coincide, at least in part.
 bool coincide(const Face& a, const Face& b);
 
-/// Whether two faces that coincide look the same way: the two bodies lie on the same side.
+/// Whether two coincident faces point the same way: the two bodies lie on the same side.
 bool look_alike(const Face& a, const Face& b);
 
 /// How far the face moves outwards when the object grows about `center` by its own size: the
-/// distance of the face, or of its tangent plane. Less than 0 where growing moves it inwards.
+/// distance of the face, or of its tangent plane. Negative when growing moves it inwards.
 double reach(const Face& face, const Vec3d& center);
 
 }  // namespace lancer::reference::pov

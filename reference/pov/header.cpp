@@ -1,4 +1,4 @@
-// What a reader of the `.pov` is told first. Comments alone: no picture depends on them.
+// The comment at the top of the `.pov`. It does not change the picture.
 #include <fmt/format.h>
 
 #include "reference/pov/writer.h"
@@ -7,7 +7,7 @@ namespace lancer::reference::pov {
 
 namespace {
 
-// "12.5 %" for people would hide digits: numbers in comments are written as in the scene.
+// Describes how to obtain the scene's samples per pixel; empty for one sample.
 std::string samples_note(const Writer& writer) {
     const int n = writer.scene.settings.samples;
     if (n <= 1) return "";

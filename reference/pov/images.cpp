@@ -12,13 +12,13 @@ namespace lancer::reference::pov {
 
 namespace {
 
-/// The image as a file, and how far the farthest value is from what the file says.
+/// The image as a file, and the largest error of the file's values.
 struct PngFile {
     std::string bytes;
     double error{};
 };
 
-/// 16 bits, which hold those of 8 too.
+/// Encodes with 16 bits, which hold 8-bit values exactly.
 PngFile encoded(const SceneImage& image, bool linear) {
     const Image& pixels = *image.pixels;
     PngFile file{io::encode_png(pixels, {16, linear}, image.path)};
@@ -45,7 +45,7 @@ std::string image_file_words(Writer& writer, std::uint32_t index, const SourceSp
                       "scale the image's values and the lights instead");
     PngFile file = encoded(image, false);
     const char* gamma = "srgb";
-    if (file.error > rounding_of_values) {  // linear: half a step off at worst
+    if (file.error > rounding_of_values) {  // linear: at most half a step off
         file = encoded(image, true);
         gamma = "1.0";
     }

@@ -43,7 +43,7 @@ std::string reflection(const Material& material) {
     return "reflection { " + rgb(material.reflection) + " }";
 }
 
-// Every value is written, whatever POV-Ray's defaults are.
+// Writes every value, so that POV-Ray's defaults do not matter.
 void write_finish(Writer& writer, const Material& material) {
     Text& text = writer.text;
     text.open("finish {");
@@ -56,7 +56,8 @@ void write_finish(Writer& writer, const Material& material) {
                           number(material.phong), number(material.shininess),
                           number(material.blinn), number(material.roughness),
                           number(material.metallic)));
-    // conserve_energy takes from what passes what fresnel mirrors, and touches nothing else.
+    // conserve_energy reduces the transmitted light by what fresnel reflects, and changes nothing
+    // else.
     text.line(reflection(material) + (material.fresnel ? " conserve_energy" : ""));
     text.close();
 }
@@ -67,7 +68,7 @@ void write_own_texture(Writer& writer, const Material& material, const Object& o
     write_finish(writer, material);
 }
 
-/// A plain texture is the same at every size; a pattern is declared for each size that shows it.
+/// A plain texture is the same at every size. A pattern is declared for each size that uses it.
 TextureKey texture_key(const Writer& writer, const Object& object, PowerOfTen own) {
     TextureKey key{object.material, {}};
     if (texture_of(writer.scene, writer.scene.materials[object.material]) != nullptr)
@@ -75,8 +76,8 @@ TextureKey texture_key(const Writer& writer, const Object& object, PowerOfTen ow
     return key;
 }
 
-/// `T3_brick`, `T3_brick_m2`: the material's number and name, of which POV-Ray reads 40 bytes at
-/// most, and its size against the scene's if it has another.
+/// `T3_brick`, `T3_brick_m2`: the material's number and its name, of which POV-Ray reads at most 40
+/// bytes; then its size relative to the scene, if it differs.
 std::string texture_name(const Writer& writer, const TextureKey& key) {
     const auto [material, decades] = key;
     const std::vector<std::string>& names = writer.scene.material_names;
@@ -91,7 +92,7 @@ std::string texture_name(const Writer& writer, const TextureKey& key) {
 
 void declare_textures(Writer& writer) {
     const Scene& scene = writer.scene;
-    std::map<TextureKey, std::pair<Object, PowerOfTen>> shown_by;  // the first that does
+    std::map<TextureKey, std::pair<Object, PowerOfTen>> shown_by;  // the first object that does
     const auto note = [&](const Object& object) {
         if (depends_on_shape(scene, scene.materials[object.material])) return;
         const ObjectSpace space = object_space(scene.transforms[object.transform], writer.scale);
@@ -128,7 +129,7 @@ void write_vertex_textures(Writer& writer, const Material& material,
 
 void write_texture(Writer& writer, const Object& object, PowerOfTen own, const std::string& moved) {
     if (is_of_vertices(writer.scene, writer.scene.materials[object.material]))
-        return;  // the mesh's
+        return;  // the mesh has the texture
     const auto declared = writer.texture_names.find(texture_key(writer, object, own));
     if (declared != writer.texture_names.end()) {
         writer.text.line("texture { " + declared->second + (moved.empty() ? "" : " " + moved) +
@@ -151,7 +152,7 @@ Object texture_holder(const Scene& scene, const Composite::Leaf& leaf) {
 
 void write_interior(Writer& writer, const Material& material, bool body, bool passes) {
     if (!passes) {
-        // Nothing gets in: the index serves the mirror alone.
+        // No light enters: the index is only for the mirror.
         if (material.fresnel) writer.text.line("interior { ior " + number(material.ior) + " }");
         return;
     }

@@ -1,4 +1,4 @@
-// Meshes and triangles. POV-Ray keeps mesh data in single precision, stand-alone triangles in
+// Meshes and triangles. POV-Ray stores mesh data in single precision and separate triangles in
 // double.
 #include <fmt/format.h>
 
@@ -15,13 +15,13 @@ namespace lancer::reference::pov {
 
 namespace {
 
-/// Twice the area long, at right angles to the face.
+/// A normal whose length is twice the area of the face.
 Vec3d face_normal(const Mesh& mesh, const Mesh::Corners& face) {
     const Vec3d& a = mesh.vertices[face[0]];
     return cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
 }
 
-/// For a mesh that gives no normals: the mean of the faces round each vertex, weighted by area.
+/// For a mesh without normals: the mean normal of the faces around each vertex, weighted by area.
 std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
     std::vector<Vec3d> sum(mesh.vertices.size(), Vec3d(0.0));
     for (const Mesh::Corners& face : mesh.faces)
@@ -29,10 +29,10 @@ std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
     return sum;
 }
 
-/// A mesh2 in the making: lists of lines, each with its count.
+/// A mesh2 that is being built: lists of lines, each with its count.
 struct Mesh2 {
     std::vector<std::string> vertices, normals, uvs, faces, normal_indices, uv_indices;
-    std::vector<Color> colors;  ///< each once; faces name them
+    std::vector<Color> colors;  ///< each once; faces refer to them
     Affine<double> place;       ///< to be applied to the vertices
 
     static std::string corners(const Mesh::Corners& c) {
@@ -44,7 +44,7 @@ struct Mesh2 {
         text.list(items);
         text.close();
     }
-    /// \param material  that of the colours, or null
+    /// \param material  the one with vertex colours, or null
     void write(Writer& writer, bool closed, const Material* material) const {
         Text& text = writer.text;
         list(text, "vertex_vectors", vertices);
@@ -54,20 +54,22 @@ struct Mesh2 {
         list(text, "face_indices", faces);
         list(text, "uv_indices", uv_indices);
         list(text, "normal_indices", normal_indices);
-        // Lets POV-Ray tell whether the camera is inside. It must stand before any transform.
+        // With inside_vector, POV-Ray can tell whether the camera is inside. It must precede any
+        // transform.
         if (closed) text.line(fmt::format("inside_vector {}", way_out));
         const std::string moved = transform(place);
         if (!moved.empty()) text.line(moved);
     }
 };
 
-/// A face that lacks a normal at a corner is flat: it gets one of its own, behind the given list.
+/// A face without a normal at some corner is flat: it gets a normal of its own, after the given
+/// list.
 void add_normals(Mesh2& out, const Mesh& mesh) {
     const std::vector<Vec3d> normals = mesh.normals.empty() ? vertex_normals(mesh) : mesh.normals;
     const std::vector<Mesh::Corners>& indices =
         mesh.normals.empty() || mesh.normal_faces.empty() ? mesh.faces : mesh.normal_faces;
     const auto has_length = [](const Vec3d& n) { return length(n) > 0; };
-    // One that no face has may be nought, which POV-Ray takes for some direction.
+    // A normal that no face uses may be zero; POV-Ray accepts it.
     const auto add = [&](const Vec3d& n) {
         out.normals.push_back(mesh_vector(has_length(n) ? normalize(n) : n));
     };
@@ -91,8 +93,8 @@ void add_uvs(Mesh2& out, const Mesh& mesh) {
         out.uv_indices.push_back(Mesh2::corners(face));
 }
 
-/// Names the colours of each face's corners. POV-Ray lights the whole face in each of the three and
-/// takes the mean of what comes out, by the same weights.
+/// Refers to the colours at each face's corners. POV-Ray shades the whole face in each of the three
+/// colours and interpolates the results with the same weights.
 void add_colors(Mesh2& out, const Mesh& mesh) {
     std::map<std::array<double, 3>, std::size_t> numbers;
     std::vector<std::size_t> of_vertex;
@@ -107,8 +109,8 @@ void add_colors(Mesh2& out, const Mesh& mesh) {
             out.faces[f] += fmt::format(",{}", of_vertex[corner]);
 }
 
-/// Where a mesh stands, in steps of about its size, so that subtracting it loses nothing: single
-/// precision is then spent on the mesh alone, and a `translate` of double precision on its place.
+/// The mesh's position in multiples of about its size, so that subtracting it is exact. Then the
+/// mesh alone uses single precision, and a `translate` in double precision moves it to its place.
 Vec3d coarse_place(const Mesh& mesh, PowerOfTen own) {
     Bounds bounds;
     for (const Vec3d& p : mesh.vertices) bounds.add(own.plainly(p));
@@ -136,7 +138,7 @@ double mean_edge(const Mesh& mesh) {
     return sum / (3 * static_cast<double>(mesh.faces.size()));
 }
 
-/// The faces, sorted into cubes of some edges' length.
+/// Sorts the faces into cubes whose size is a few edges.
 std::vector<Mesh> pieces_of(const Mesh& mesh) {
     const double cell = step_for(mean_edge(mesh) * edges_of_a_piece);
     std::map<std::array<double, 3>, std::vector<std::size_t>> cells;
@@ -149,7 +151,7 @@ std::vector<Mesh> pieces_of(const Mesh& mesh) {
             .push_back(f);
     }
     std::vector<Mesh> pieces;
-    // Those that a mesh without normals has come from all its faces.
+    // For a mesh without normals, the normals come from all its faces.
     const std::vector<Vec3d> normals = mesh.normals.empty() ? vertex_normals(mesh) : mesh.normals;
     const auto& normal_faces =
         mesh.normals.empty() || mesh.normal_faces.empty() ? mesh.faces : mesh.normal_faces;
@@ -175,16 +177,17 @@ std::vector<Mesh> pieces_of(const Mesh& mesh) {
             piece.faces.push_back(corners);
             piece.normal_faces.push_back(of_normals);
         }
-        // Without a list POV-Ray would get normals made of the piece's own faces.
+        // Without a list, POV-Ray would compute normals from the piece's own faces.
         if (piece.normals.empty()) piece.normals.emplace_back(0.0);
         pieces.push_back(std::move(piece));
     }
     return pieces;
 }
 
-/// POV-Ray keeps a triangle's plane in single precision: of a large mesh of small triangles a
-/// shadow ray that grazes one meets it again further off than POV-Ray drops hits. In pieces, each
-/// near its own origin, it does not. Pieces have no inside, so what light enters is one.
+/// POV-Ray stores the plane of a triangle in single precision. In a large mesh of small triangles,
+/// a shadow ray that grazes one therefore meets it again, further away than the distance at which
+/// POV-Ray drops hits. Pieces that are each near their own origin avoid this. Pieces have no
+/// inside, so a mesh that light enters stays whole.
 bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) {
     return !writer.in_composite && mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh) &&
            !is_of_vertices(writer.scene, writer.scene.materials[object.material]) &&
@@ -258,8 +261,8 @@ bool open_triangle(Writer& writer, const Object& object, const Triangle& shape, 
         writer.text.open("triangle { " + corners);
         return true;
     }
-    // A smooth_triangle on its own is dropped when its normals point to different sides; within a
-    // mesh it is not.
+    // POV-Ray drops a single smooth_triangle whose normals point to different sides, but keeps it
+    // within a mesh.
     Mesh mesh;
     mesh.vertices.assign(shape.points.begin(), shape.points.end());
     mesh.faces = {{0, 1, 2}};

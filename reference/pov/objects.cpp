@@ -11,7 +11,7 @@ namespace lancer::reference::pov {
 
 namespace {
 
-/// The words of an object, without its end. False where there are none.
+/// Writes an object without its end. False when it was refused.
 bool open_object(Writer& writer, std::uint32_t index) {
     const Scene& scene = writer.scene;
     const Object& object = scene.objects[index];
@@ -28,11 +28,12 @@ bool open_object(Writer& writer, std::uint32_t index) {
     if (object.name != none) writer.text.line("// \"" + comment(scene.names[object.name]) + "\"");
     if (!open_shape(writer, object, space.own)) return false;
     if (!std::holds_alternative<CompositeRef>(object.shape))
-        write_texture(writer, object, space.own);  // before the transform, which takes it along
+        // before the transform, which applies to it as well
+        write_texture(writer, object, space.own);
     return true;
 }
 
-/// What is the object's own, but not a part's of a merged one.
+/// Writes what belongs to the object but not to the parts of a merged one.
 void write_inside_and_shadow(Writer& writer, const Object& object) {
     const Scene& scene = writer.scene;
     write_interior(writer, scene.materials[object.material], is_body(scene, object.shape),

@@ -11,7 +11,7 @@ namespace lancer::reference::pov {
 
 namespace {
 
-/// Opaque colours in three numbers, others in POV-Ray's five: filter, then transmit.
+/// Three numbers for an opaque colour; otherwise POV-Ray's five: with filter, then transmit.
 std::string pigment_color(const Color& color, const Material& material) {
     if (!(material.filter + material.transmission > 0)) return rgb(color);
     return fmt::format("rgbft <{}, {}, {}, {}, {}>", number(color.x), number(color.y),
@@ -44,8 +44,8 @@ struct PatternWriter {
                              "]");
         writer.text.close();
         // POV-Ray repeats with a period of 1.00001 where the coordinate is negative, so the pattern
-        // is moved by a million whole periods. A billionth more decides for a face that lies
-        // exactly on a step, where rounding would speckle.
+        // is moved by a million whole periods. A billionth more decides the side for a face that
+        // lies exactly on a step, where rounding would cause speckles.
         writer.text.line("translate " + vector(-axis * periods) +
                          "  // whole periods: keeps coordinates positive");
         end();
@@ -88,7 +88,7 @@ std::string image_map(Writer& writer, const Material& material, const ImageTextu
     std::string out = "image_map { " + image_file_words(writer, image.image, where) + " " + words;
     if (image.filter == ImageTexture::Filter::bilinear) out += " interpolate 2";
     if (image.wrap == ImageTexture::Wrap::once) out += " once";
-    // An image with alpha says itself what passes; the material is not asked.
+    // An image with alpha has its own transmission; the material's is ignored.
     if (writer.scene.images[image.image].pixels->channels != 4) {
         if (material.filter > 0) out += " filter all " + number(material.filter);
         if (material.transmission > 0) out += " transmit all " + number(material.transmission);

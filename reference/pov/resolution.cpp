@@ -18,10 +18,10 @@ namespace {
 
 using Resolution = Coincidence::Resolution;
 
-/// Rounds of raising one body over another. A pile of n bodies takes n.
+/// The largest number of rounds of raising bodies. A pile of n bodies takes n rounds.
 constexpr int most_rounds = 64;
 
-/// How an object, or one of its faces, can move: by `raised` steps.
+/// How an object or one of its faces can move; it moves by `raised` steps.
 struct Mover {
     enum class Way { still, growing, along, face } way = Way::still;
     Vec3d center{0, 0, 0};  ///< growing
@@ -35,7 +35,7 @@ bool asks_for_nothing(const FacePair& pair) {
     return pair.resolution == Resolution::none || pair.resolution == Resolution::hidden;
 }
 
-/// What moves as one: an object, or a leaf of a composite; or one face of it.
+/// What moves together: an object, a leaf of a composite, or one face of these.
 struct Key {
     std::uint32_t object, part, face;
     auto operator<=>(const Key&) const = default;
@@ -53,7 +53,7 @@ class Solver {
             add(pair.back, pair);
         }
         for (auto& [key, mover] : movers_) {
-            // A body that its own growth would draw out of a face, or hardly move, stays.
+            // A body stays if growth would pull it out of a face, or hardly move that face.
             const auto own = shape_bounds(scene, part_of(scene, key.object, key.part).shape);
             if (mover.way == Mover::Way::growing &&
                 !(mover.least >= 0.01 * moved(map_of(key), *own).diagonal()))
@@ -75,7 +75,8 @@ class Solver {
         return asks_for_nothing(pair) || lacking(pair) <= 1e-6;
     }
 
-    /// Moves those faces that move one by one. Where nothing is left between two, all stay: false.
+    /// Moves the faces that move one by one. Returns false, and moves none, when nothing would be
+    /// left between two of them.
     bool move_faces(Object& object, std::uint32_t index, std::uint32_t part, double step) const {
         const Shape before = object.shape;
         for (auto at = movers_.lower_bound({index, part, 0}); at != movers_.end(); ++at) {
@@ -89,7 +90,7 @@ class Solver {
         return false;
     }
 
-    /// The object's transform, moved.
+    /// The object's transform after the movement.
     std::optional<Affine<double>> moved_transform(std::uint32_t index, std::uint32_t part,
                                                   double step) const {
         const Key key{index, part, none};
@@ -141,7 +142,7 @@ class Solver {
         if (mover.way == Mover::Way::growing) {
             mover.least = std::min(mover.least, reach(face, mover.center));
         } else if (mover.way == Mover::Way::along) {
-            // A sheet moves out of the body that it lies on.
+            // A sheet moves away from the body that it lies on.
             const Face& other = key_of(face) == key_of(pair.front) ? pair.back : pair.front;
             const auto* flat = std::get_if<FlatFace>(own ? &other.form : &face.form);
             const bool another =
@@ -153,7 +154,7 @@ class Solver {
         }
     }
 
-    /// How far the face has moved outwards, in steps, for one step of the object.
+    /// How far the face moves outwards, in steps, when the object moves by one step.
     double per_step(const Face& face) const {
         const Mover& mover = movers_.at(key_of(face));
         const int outwards = face.turned ? -1 : 1;
@@ -165,24 +166,24 @@ class Solver {
         return per_step(face) * movers_.at(key_of(face)).raised;
     }
 
-    /// Steps by which the two are still too near.
+    /// The number of steps that are still missing between the two faces.
     double lacking(const FacePair& pair) const {
         const double back = displacement(pair.back);
         return 1 - (displacement(pair.front) + (pair.alike ? -back : back));
     }
 
-    /// Raises what shall be in front, or one of two that shall overlap; where that cannot move, the
-    /// other gives way.
+    /// Raises the face that must be in front, or one of two that must overlap. If it cannot move,
+    /// the other one yields.
     void raise(const FacePair& pair) {
         Mover& front = movers_.at(key_of(pair.front));
         Mover& back = movers_.at(key_of(pair.back));
-        // A cutter must reach out of its body, so it does not shrink as a whole.
+        // A cutter must reach out of its body, so it must not shrink as a whole.
         const auto can_move = [this](const Mover& m, const Face& face) {
             const bool may = !face.turned || (walls_move_ && m.way == Mover::Way::face);
             return m.way != Mover::Way::still && !m.fixed && may;
         };
         const double steps = lacking(pair);
-        // A wall sunk into glass is seen less than glass that grows.
+        // A wall that sinks into glass is less visible than glass that grows.
         const bool by_wall = !pair.alike && pair.back.turned && can_move(back, pair.back);
         if (can_move(front, pair.front) && !by_wall) {
             front.raised += steps / per_step(pair.front);
@@ -202,7 +203,7 @@ class Solver {
     bool walls_move_ = true;  ///< of holes, where it leads to an end
 };
 
-/// Objects joined by merged pairs.
+/// Groups objects that merged pairs connect.
 std::vector<std::vector<std::uint32_t>> groups_of(const std::vector<FacePair>& pairs,
                                                   std::size_t objects) {
     std::vector<std::uint32_t> leader(objects);

@@ -1,5 +1,5 @@
-// A scene in which no two faces lie in one place, and whose picture is what Lancer's contact rule
-// makes of the scene in which they do.
+// Moves objects so that no faces coincide, while the picture is the one that Lancer's contact rule
+// gives with coincident faces.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,15 @@ namespace lancer::reference::pov {
 
 struct ResolvedScene {
     Scene scene;
-    /// Bodies of the same glass, glued: each group is one body. Sorted; objects of no group are
-    /// left out.
+    /// Glued bodies of the same glass: each group is one body. Sorted; contains no single objects.
     std::vector<std::vector<std::uint32_t>> merged;
-    /// As given, but Resolution::none where no way is found.
+    /// The pairs as given, but Resolution::none where no solution was found.
     std::vector<FacePair> pairs;
 };
 
 /// Faces of boxes, cylinders and cones move by multiples of `step` (scene units), other bodies grow
-/// by about as much about their middle, planes and sheets move along the normal. Pairs that ask for
-/// nothing, and those for which no way is found, stay as they are.
+/// about their centre by about as much, planes and sheets move along their normal. Pairs that need
+/// no change, and those without a solution, remain.
 ResolvedScene resolved(const Scene& scene, const std::vector<FacePair>& pairs, double step);
 
 }  // namespace lancer::reference::pov

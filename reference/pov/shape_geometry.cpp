@@ -1,5 +1,5 @@
-// Where a shape lies, for the exporter alone: its box and its faces. None of this is the tracer's
-// arithmetic.
+// The box and the faces of a shape, for the exporter alone. It shares no arithmetic with the
+// tracer.
 #include "reference/pov/shape_geometry.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace lancer::reference::pov {
 
 namespace {
 
-// The box of a disc or ball of radius r is at most that of the ball: enough to judge sizes.
+// The box of a disc of radius r is at most that of a sphere; this is accurate enough for sizes.
 void add_ball(Bounds& bounds, const Vec3d& center, double radius) {
     bounds.add(center - Vec3d(radius));
     bounds.add(center + Vec3d(radius));
@@ -92,7 +92,7 @@ struct OwnBounds {
     }
 };
 
-/// The factor of a similarity, or nothing: under any other map a circle is no circle.
+/// The factor of a similarity; nothing for other maps, under which a circle is no longer a circle.
 std::optional<double> similarity(const Affine<double>& map) {
     const Vec3d x = map_vector(map, Vec3d(1, 0, 0));
     const Vec3d y = map_vector(map, Vec3d(0, 1, 0));
@@ -105,7 +105,7 @@ std::optional<double> similarity(const Affine<double>& map) {
     return s;
 }
 
-/// Whether a point of a profile's plane lies in the body that the profile bounds.
+/// Whether a point of a profile's plane lies inside the profile.
 bool is_within(const std::vector<Vec2d>& profile, const Vec2d& p) {
     bool inside = false;
     for (std::size_t i = 0; i < profile.size(); ++i) {
@@ -132,7 +132,7 @@ struct FaceFinder {
         const Vec3d across = cross(p[1] - p[0], p[2] - p[0]);
         if (!(length(across) > 0)) return;
         FlatFace face{normalize(across), 0, {}};
-        // A normal moves with the transposed inverse.
+        // Normals are transformed by the transposed inverse.
         if (dot(face.normal, map_transposed(inverse(to_world), outwards)) < 0)
             face.normal = -face.normal;
         face.offset = dot(face.normal, p[0]);
@@ -277,8 +277,8 @@ struct FaceFinder {
         const Vec3d n = normalize(map_transposed(inverse(to_world), own));
         out.push_back({object, FlatFace{n, dot(n, map_point(to_world, own * s.offset)), {}}});
     }
-    void operator()(const PatchRef&) const {}  // flat in no way that would be known here
-    void operator()(const Torus&) const {}     // nor this
+    void operator()(const PatchRef&) const {}  // its flat parts are not found here
+    void operator()(const Torus&) const {}     // it has no flat part
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// What POV-Ray has for each shape: its own primitive, and images mapped by the shape's own
-// parameters. It knows these for spheres, meshes, patches and lathes, by the same rules; for boxes,
-// cylinders and cones they are put together here from the faces.
+// POV-Ray's own primitive for each shape, and images mapped by the shape's parameters. POV-Ray has
+// this mapping for spheres, meshes, patches and lathes, with the same rules. For boxes, cylinders
+// and cones it is composed here from the faces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,14 +34,15 @@ struct ShapeOpener {
                     number(own(s.radius)) + (s.capped ? "" : " open"));
     }
     bool operator()(const Cone& s) const {
-        // POV-Ray turns a cone of equal radii into a cylinder itself; said here, nobody wonders.
+        // POV-Ray itself turns a cone with equal radii into a cylinder; writing the cylinder avoids
+        // questions.
         if (s.base_radius == s.top_radius)
             return (*this)(Cylinder{s.base, s.top, s.base_radius, s.capped});
         return open("cone { " + vector(own(s.base)) + ", " + number(own(s.base_radius)) + ", " +
                     vector(own(s.top)) + ", " + number(own(s.top_radius)) +
                     (s.capped ? "" : " open"));
     }
-    /// By Sturm's method: the other one misses roots of the equation of the fourth degree.
+    /// Uses Sturm's method: the default one misses roots of the quartic.
     bool operator()(const Torus& s) const {
         return open("torus { " + number(own(s.radius)) + ", " + number(own(s.tube)) + " sturm");
     }
@@ -69,8 +70,8 @@ Affine<double> map_of(const Vec3d& u, const Vec3d& v, const Vec3d& w, const Vec3
     return {{Vec3d(u.x, v.x, w.x), Vec3d(u.y, v.y, w.y), Vec3d(u.z, v.z, w.z)}, shift};
 }
 
-/// What a texture's transforms do to points (u, v, 0): the third coordinate of others, which
-/// POV-Ray has here and there, is not to count.
+/// The effect of a texture's transforms on points (u, v, 0). POV-Ray sometimes has another third
+/// coordinate, which must be ignored.
 Affine<double> within_plane(const Affine<double>& to_object) {
     Affine<long double> back = inverse(convert<long double>(to_object));
     back.rows[0].z = back.rows[1].z = 0;
@@ -92,7 +93,7 @@ struct UvWriter {
         if (!words.empty()) writer.text.line(words);
     }
 
-    /// POV-Ray's own: the pattern point is (u, v, 0).
+    /// POV-Ray's own mapping: the pattern point is (u, v, 0).
     void native() const {
         writer.text.open("pigment {");
         line("uv_mapping " + picture());
@@ -105,8 +106,8 @@ struct UvWriter {
         line(pattern_transform(to_object, own));
         writer.text.close();
     }
-    /// Face `number` of several, of the eight that a pigment_map here has room for: (0, 0) of the
-    /// image at `corner`, u and v along the two edges. (What is off the face shows nowhere.)
+    /// Writes face `number` of up to eight in the pigment_map: (0, 0) of the image is at `corner`,
+    /// u and v run along the two edges. (Points off the face are not visible.)
     void face(int number, const Vec3d& corner, const Vec3d& u, const Vec3d& v) const {
         open_face(number);
         line(picture());
@@ -116,9 +117,9 @@ struct UvWriter {
     }
     void open_face(int number) const { writer.text.open("[" + pov::number(number / 8.0)); }
 
-    void operator()(const CompositeRef&) const {}  // its leaves have textures
+    void operator()(const CompositeRef&) const {}  // the texture belongs to its leaves
     void operator()(const Sphere&) const { native(); }
-    /// POV-Ray's u runs the other way round than on its spheres and lathes.
+    /// POV-Ray's u runs in the opposite direction to that of its spheres and lathes.
     void operator()(const Torus&) const {
         writer.text.open("pigment {");
         line("uv_mapping " + picture());
@@ -150,7 +151,7 @@ struct UvWriter {
                       "use 'mapping planar' or 'mapping cylindrical'");
     }
 
-    /// Six faces in a cube from -1 to 1, told apart by their largest coordinate.
+    /// Six faces in a cube from -1 to 1, distinguished by their largest coordinate.
     void operator()(const Box& box) const {
         const Vec3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
         const auto side = [this](int number, const Vec3d& u, const Vec3d& v, const Vec3d& outward) {
@@ -182,12 +183,12 @@ struct UvWriter {
         round(s.base, s.top, s.base_radius, s.top_radius, s.capped);
     }
 
-    /// Base, mantle and top in a frame whose y runs from 0 at the base to 1 at the top.
+    /// Base, side and top in a frame whose y runs from 0 at the base to 1 at the top.
     void round(const Vec3d& base, const Vec3d& top, double base_radius, double top_radius,
                bool capped) const {
         const Vec3d axis = own(top) - own(base);
         const Vec3d y = normalize(axis);
-        // The world's x axis made perpendicular to y, or its z axis where x is too near to y.
+        // The world's x axis made perpendicular to y, or the z axis if x is too close to y.
         const int aside = std::abs(y.x) > 0.9 ? 2 : 0;
         Vec3d x = -y[aside] * y;
         x[aside] += 1;
@@ -195,12 +196,12 @@ struct UvWriter {
         const Vec3d z = cross(x, y);
         const auto cap = [this](int number, double radius) {
             const double r = own(radius);
-            // At whatever height: a picture has no depth.
+            // The height does not matter: the mapping ignores it.
             if (r != 0) face(number, Vec3d(-r), {2 * r, 0, 0}, {0, 0, 2 * r});
         };
         writer.text.open("pigment {");
         if (capped) {
-            // The caps lie at 0 and 1 but for rounding.
+            // The caps lie at 0 and 1, except for rounding.
             line(fmt::format("function {{ select(y - {0}, 0, select(y - (1 - {0}), 1, 2)) / 8 }}",
                              number(cap_margin)));
             writer.text.open("pigment_map {");
@@ -217,7 +218,7 @@ struct UvWriter {
         writer.text.close();
     }
 
-    /// The plane of u and v rolled up: x becomes the angle in turns, y stays.
+    /// The plane of u and v wrapped around: x becomes the angle in turns, y is unchanged.
     void mantle() const {
         line(picture());
         line(transform(to_object));

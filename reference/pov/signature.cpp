@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view author = "lancer export ";
 constexpr std::size_t digest_size = 64;
 constexpr std::string_view keyword = "Software";
-constexpr std::size_t end_chunk = 12;  // IEND, the last of a PNG
+constexpr std::size_t end_chunk = 12;  // IEND, the last chunk of a PNG
 
 constexpr std::size_t size_in_pov = 3 + author.size() + digest_size + 1;
 constexpr std::size_t size_in_png = 12 + keyword.size() + 1 + author.size() + digest_size;

@@ -1,4 +1,4 @@
-// A mark in exported files, by which `export` knows what it wrote itself.
+// A mark in exported files, by which `export` recognizes its own files.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace lancer::reference {
 
-/// The bytes of a `.pov` or a PNG with a mark at their end that holds their digest: a comment, or a
-/// text chunk. Neither changes a picture.
+/// Appends a mark with the digest of the bytes to a `.pov` or PNG file, as a comment or a text
+/// chunk. It does not change the picture.
 std::string with_signature(const std::string& bytes);
 
-/// Whether `with_signature` made these bytes, and nobody has changed them since.
+/// Whether with_signature() made these bytes and they are unchanged.
 bool is_signed(std::string_view bytes);
 
 }  // namespace lancer::reference

@@ -1,5 +1,4 @@
-// Lathe, prism and patch: POV-Ray's own, with B-splines turned into the Bezier curves that they
-// are.
+// Lathe, prism and patch as POV-Ray's own; B-splines are converted to the equivalent Bézier curves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +12,8 @@ namespace {
 
 using Segment = std::array<Vec2d, 4>;  // of a cubic Bezier curve
 
-/// Four neighbours of a uniform cubic B-spline; de Boor, "A Practical Guide to Splines", X.
+/// Converts four neighbouring points of a uniform cubic B-spline; de Boor, "A Practical Guide to
+/// Splines", X.
 template <class Point>
 std::array<Point, 4> bezier_of_bspline(const Point& a, const Point& b, const Point& c,
                                        const Point& d) {
@@ -26,7 +26,7 @@ Segment bezier_of_catmull_rom(const Vec2d& a, const Vec2d& b, const Vec2d& c, co
     return {b, b + (c - a) / 6.0, c - (d - b) / 6.0, c};
 }
 
-/// `count` segments; point(i) may be asked for beyond the end by a closed curve.
+/// Returns `count` segments. For a closed curve, point(i) is also called beyond the end.
 template <class Point>
 std::vector<Segment> segments(Spline spline, std::size_t count, const Point& point) {
     std::vector<Segment> out;
@@ -42,8 +42,8 @@ std::vector<Segment> segments(Spline spline, std::size_t count, const Point& poi
     return out;
 }
 
-/// The same curve in twice as many pieces, which keeps its parameter's meaning. Halving after de
-/// Casteljau.
+/// The same curve in twice as many pieces with the same parameterization, by de Casteljau's
+/// subdivision.
 std::vector<Segment> halved(const std::vector<Segment>& curve) {
     std::vector<Segment> out;
     for (const Segment& s : curve) {
@@ -59,8 +59,8 @@ std::vector<Segment> halved(const std::vector<Segment>& curve) {
     return out;
 }
 
-/// POV-Ray solves an equation of the sixth degree for each piece of a lathe, and solves that of a
-/// shorter one better: docs/export.md, "Curved lathes".
+/// POV-Ray solves an equation of the sixth degree for each piece of a lathe, and is more accurate
+/// for shorter pieces: docs/export.md, "Curved lathes".
 std::vector<Segment> cut_for_lathe(std::vector<Segment> curve) {
     const std::size_t enough = lathe_pieces * curve.size();
     while (curve.size() < enough) curve = halved(curve);
@@ -107,7 +107,7 @@ bool open_prism(Writer& writer, const Prism& prism, PowerOfTen own) {
     const bool linear = prism.spline == Spline::linear;
     if (linear) {
         for (const Vec2d& q : p) points.push_back(own(q));
-        points.push_back(points.front());  // POV-Ray wants the outline closed
+        points.push_back(points.front());  // POV-Ray requires a closed outline
     } else {
         const std::size_t count = prism.spline == Spline::bezier ? p.size() / 3 : p.size();
         points = flattened(segments(prism.spline, count, point), own);
@@ -124,7 +124,7 @@ namespace {
 
 using Net = std::array<std::array<Vec3d, 4>, 4>;  // of a bicubic Bezier patch, row by row
 
-/// The Bezier patch of the 4 x 4 control points from (row, column) on.
+/// The Bézier patch of the 4 x 4 control points that begin at (row, column).
 Net bezier_net(const Patch& patch, std::size_t row, std::size_t column, PowerOfTen own) {
     Net net;
     for (std::size_t i = 0; i < net.size(); ++i)
@@ -139,7 +139,7 @@ Net bezier_net(const Patch& patch, std::size_t row, std::size_t column, PowerOfT
     return net;
 }
 
-/// Each 4 x 4 points of a net make a patch.
+/// Each block of 4 x 4 points of a net makes a patch.
 std::size_t patches_along(std::uint32_t points) {
     return points - 3;
 }

@@ -43,7 +43,7 @@ std::string transform(const Affine<double>& map) {
     const Affine<double> identity;
     if (map == identity) return "";
     if (map.rows == identity.rows) return "translate " + vector(map.shift);
-    // POV-Ray multiplies a row vector from the left: its rows are our columns.
+    // POV-Ray multiplies a row vector from the left, so its rows are our columns.
     return fmt::format("matrix <{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}>",
                        number(map.rows[0].x), number(map.rows[1].x), number(map.rows[2].x),
                        number(map.rows[0].y), number(map.rows[1].y), number(map.rows[2].y),
@@ -71,7 +71,8 @@ std::string identifier(std::string_view text) {
 
 double PowerOfTen::operator()(double length) const {
     if (!std::isfinite(length)) return length;
-    // Shortest digits in scientific form, "1.2e-03", read back with another exponent.
+    // Writes the shortest digits in scientific form, "1.2e-03", and reads them back with another
+    // exponent.
     std::array<char, 40> text{};
     char* const end =
         std::to_chars(text.data(), text.data() + text.size(), length, std::chars_format::scientific)
@@ -82,12 +83,12 @@ double PowerOfTen::operator()(double length) const {
     char* const new_end = std::to_chars(power, text.data() + text.size(), decades + exponent).ptr;
     double moved{};
     const auto read = std::from_chars(text.data(), new_end, moved);
-    // Out of range: an infinity or a zero, as the product would be.
+    // Out of range: the product gives the infinity or zero.
     return read.ec == std::errc{} ? moved : length * factor();
 }
 
 Vec3d PowerOfTen::plainly(const Vec3d& v) const {
-    // Divided rather than multiplied by a fraction: powers up to 10^22 are exact.
+    // Divides instead of multiplying by a fraction: powers up to 10^22 are exact.
     const double power = PowerOfTen{std::abs(exponent)}.factor();
     return exponent > 0 ? v * power : v / power;
 }

@@ -1,4 +1,4 @@
-// Numbers and words as POV-Ray reads them.
+// Numbers and words in POV-Ray's syntax.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace lancer::reference::pov {
 
 /// The shortest decimal that reads back as exactly this double: at most 17 digits.
 std::string number(double value);
-/// Nine digits: enough for the single precision in which POV-Ray keeps mesh data.
+/// Nine digits: enough for single precision, in which POV-Ray stores mesh data.
 std::string mesh_number(double value);
 
 /// `<x, y>`, `<x, y, z>`
@@ -27,19 +27,20 @@ std::string rgb(const Color& color);
 /// `translate <…>` or `matrix <…>`; empty for the identity.
 std::string transform(const Affine<double>& map);
 
-/// Text that may stand in a `//` comment: one line, no control characters.
+/// `text` for a `//` comment: on one line, without control characters.
 std::string comment(std::string_view text);
 
 /// `text` with everything but letters and digits replaced by `_`.
 std::string identifier(std::string_view text);
 
-/// Lengths in powers of ten, so that decimal numbers of a script stay short ones in the export.
+/// Scales lengths by powers of ten, so that short decimal numbers of a script stay short in the
+/// export.
 struct PowerOfTen {
     int exponent;
-    /// The shortest decimal of the length with its point moved, so that 0.0012 becomes 120 and not
-    /// 119.99999999999999.
+    /// The shortest decimal of the length with its decimal point moved, so that 0.0012 becomes 120
+    /// and not 119.99999999999999.
     double operator()(double length) const;
-    /// The plain product: faster, for data that nobody reads.
+    /// The plain product: faster, for data that people do not read.
     Vec3d plainly(const Vec3d& v) const;
     Vec2d operator()(const Vec2d& v) const { return {(*this)(v.x), (*this)(v.y)}; }
     Vec3d operator()(const Vec3d& v) const { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
@@ -56,8 +57,7 @@ class Text {
         line(text);
         ++depth_;
     }
-    /// The items with commas between them, some to a line: short lines for people, few for large
-    /// meshes.
+    /// Writes the items with commas between them, several to a line.
     void list(const std::vector<std::string>& items);
     void close(std::string_view text = "}") {
         --depth_;

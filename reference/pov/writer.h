@@ -1,4 +1,4 @@
-// What the parts of the exporter share: the scene, the scale, and the result that grows.
+// The state that the parts of the exporter share: the scene, the scale, and the growing result.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@ namespace lancer::reference::pov {
 
 using TextureKey =
     std::pair<std::uint32_t, int>;  ///< material; size against the scene's, in decades
-/// Mesh, space, whether smooth, whether in pieces; the material whose colours its vertices have;
-/// what its author says of its inside.
+/// The mesh, its space, whether smooth, whether in pieces; the material with its vertex colours;
+/// the inside that the script declares.
 using MeshKey = std::tuple<std::uint32_t, int, bool, bool, std::uint32_t, Inside>;
 
 struct Writer {
@@ -31,20 +31,20 @@ struct Writer {
     std::vector<std::vector<std::uint32_t>> merged{};  ///< objects that are one body each
     bool in_composite = false;                         ///< what is being written needs its inside
 
-    /// Something POV-Ray has no word for, at its place in the script.
+    /// Reports a feature that POV-Ray does not have, at its place in the script.
     void refuse(const SourceSpan& where, const std::string& message, const std::string& hint = "");
     void approximate(const SourceSpan& where, const std::string& explanation);
     Color lit(const Color& color) const { return color * options.exposure; }
 };
 
-// One file each: the parts of a `.pov`, top to bottom.
+// The parts of a `.pov` from top to bottom, each in a file of its own.
 void write_header(Writer& writer);
 void write_global_settings(Writer& writer);
 void write_camera(Writer& writer);
 void write_light(Writer& writer, const Light& light);
 void declare_textures(Writer& writer);
 void write_object(Writer& writer, std::uint32_t index);
-/// Bodies of one glass as one.
+/// Writes glued bodies of the same glass as one.
 void write_merged(Writer& writer, const std::vector<std::uint32_t>& members);
 
 }  // namespace lancer::reference::pov

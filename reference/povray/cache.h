@@ -1,4 +1,4 @@
-// Pictures that POV-Ray made already, kept by what they were made from.
+// A cache of POV-Ray's pictures, keyed by all that they depend on.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,19 @@
 
 namespace lancer::reference {
 
-/// What an entry holds.
+/// The content of an entry.
 struct CacheEntry {
-    double seconds = 0;  ///< that POV-Ray took
+    double seconds = 0;  ///< the time that POV-Ray took
     std::string png;     ///< the file's bytes
 };
 
-/// The digest of everything that decides the picture: text, assets, size, options, version.
+/// The digest of everything that the picture depends on: text, assets, size, options, version.
 std::string cache_key(const PovRay& povray, const PovJob& job);
 
-/// The entry, or nothing when there is none or it is not whole.
+/// The entry; nothing when there is none or it is incomplete.
 std::optional<CacheEntry> read_cache(const std::string& folder, const std::string& key);
 
-/// Keeps an entry. A cache that cannot be written costs
-/// time, not the picture: false then.
+/// Stores an entry. False when the cache cannot be written, which costs time but not the picture.
 bool write_cache(const std::string& folder, const std::string& key, const CacheEntry& entry);
 
 }  // namespace lancer::reference

@@ -50,7 +50,8 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return out;
 }
 
-/// Between fork and exec: only calls that are safe after a fork of a program with threads.
+/// Runs between fork and exec, so it may call only functions that are safe after a fork of a
+/// program with threads.
 [[noreturn]] void become(char* const* command, char* const* environment, const char* folder,
                          int messages, int nothing, pid_t parent) {
     ::setpgid(0, 0);
@@ -65,7 +66,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     std::_Exit(127);
 }
 
-/// Waits for the process, or kills its group when the time is over.
+/// Waits for the process, or kills its process group when the time is over.
 int wait_for(pid_t pid, Clock::time_point deadline, bool& timed_out) {
     int status = 0;
     for (auto pause = std::chrono::milliseconds(1);;) {
@@ -80,7 +81,7 @@ int wait_for(pid_t pid, Clock::time_point deadline, bool& timed_out) {
         std::this_thread::sleep_for(pause);
         if (pause.count() < 8) pause *= 2;
     }
-    ::kill(-pid, SIGKILL);  // whatever it left behind; ESRCH is the usual answer
+    ::kill(-pid, SIGKILL);  // ends what it left running; ESRCH is the usual result
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -109,7 +110,7 @@ ProcessResult run_process(const std::vector<std::string>& command,
     const pid_t pid = ::fork();
     if (pid < 0) fail("cannot start '" + command[0] + "'");
     if (pid == 0) become(argv.data(), envp.data(), folder.c_str(), messages.fd, nothing.fd, parent);
-    ::setpgid(pid, pid);  // in both processes: whichever comes first
+    ::setpgid(pid, pid);  // called in both processes, since either may run first
 
     ProcessResult result;
     const auto limit = std::chrono::duration_cast<Clock::duration>(

@@ -1,4 +1,4 @@
-// Another program, run to its end or stopped: no shell, its own process group, a time limit.
+// Runs another program: without a shell, in its own process group, with a time limit.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +15,8 @@ struct ProcessResult {
 };
 
 /// Runs `command` (the program's path, then its arguments) in `folder`, with HOME set to `folder`
-/// and nothing to read on standard input. The program dies when this process does. Safe to call
-/// from several threads at once. Throws FileError when the system has no process or file to give.
+/// and an empty standard input. The program dies when this process does. Thread-safe. Throws
+/// FileError when the system cannot create a process or a file.
 ProcessResult run_process(const std::vector<std::string>& command,
                           const std::filesystem::path& folder, double time_limit_seconds);
 

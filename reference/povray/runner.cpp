@@ -49,8 +49,8 @@ std::string program_to_use() {
     return fs::absolute(named).string();
 }
 
-/// POV-Ray's errors or warnings among all that it says. A long message goes on in lines that start
-/// with a space.
+/// POV-Ray's errors or warnings from its output. Continuation lines of a long message begin with a
+/// space.
 std::vector<std::string> lines_with(const std::string& messages, std::string_view word) {
     std::vector<std::string> out;
     bool going_on = false;
@@ -68,7 +68,7 @@ std::vector<std::string> lines_with(const std::string& messages, std::string_vie
 
 std::string error_lines(const ProcessResult& result) {
     std::vector<std::string> lines = lines_with(result.messages, "rror");
-    if (lines.empty()) {  // nothing that looks like an error: the last words
+    if (lines.empty()) {  // no line looks like an error: use the last lines
         std::istringstream all(result.messages);
         for (std::string line; std::getline(all, line);)
             if (!line.empty()) lines.push_back(line);
@@ -86,13 +86,13 @@ void write_bytes(const fs::path& path, const std::string& bytes) {
     if (!file) throw FileError("cannot write '" + path.string() + "'");
 }
 
-/// A PNG says its bits per value in the 25th byte (ISO/IEC 15948, 11.2.2).
+/// The 25th byte of a PNG is its number of bits per value (ISO/IEC 15948, 11.2.2).
 int png_bits(const std::string& png) {
     return png.size() > 24 ? png[24] : 0;
 }
 
 Image to_image(const std::string& png, const PovJob& job) {
-    // The raw integers: POV-Ray was told to write linear light.
+    // Decodes the values as linear light, which POV-Ray was told to write.
     Image image = io::decode_png(png, "POV-Ray's picture of " + job.name, io::ColorSpace::linear);
     if (image.width != job.width || image.height != job.height || png_bits(png) != 16 ||
         image.channels != 3)
@@ -110,7 +110,7 @@ std::string joined(const std::string& program, const std::vector<std::string>& a
     return out;
 }
 
-/// Renders in a folder of its own and gives the PNG's bytes.
+/// Renders in a temporary folder and returns the bytes of the PNG.
 std::string render(const PovRay& povray, const PovJob& job, const PovOptions& options,
                    PovPicture& picture) {
     const io::TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// POV-Ray itself: found, asked for its version, run, and its pictures read.
+// Finds POV-Ray, asks for its version, runs it, and reads its pictures.
 #pragma once
 
 #include <functional>
@@ -14,11 +14,11 @@ namespace lancer::reference {
 /// A POV-Ray 3.7 on this machine.
 struct PovRay {
     std::string program;  ///< path
-    std::string version;  ///< as it says itself, e.g. "3.7.0.10.unofficial"
+    std::string version;  ///< as it reports itself, e.g. "3.7.0.10.unofficial"
 };
 
-/// The program that LANCER_POVRAY names, else the first `povray` in PATH. Throws FileError when
-/// there is none, when it does not answer within 20 s, or when it is no POV-Ray 3.7.
+/// The program that LANCER_POVRAY names, otherwise the first `povray` in PATH. Throws FileError
+/// when there is none, when it does not answer within 20 s, or when it is not POV-Ray 3.7.
 PovRay find_povray();
 
 /// One picture to make.
@@ -33,7 +33,7 @@ struct PovJob {
 struct PovOptions {
     double time_limit = 120;  ///< seconds for one picture; then POV-Ray is killed
     int threads = 1;          ///< of one POV-Ray; the picture does not depend on it
-    /// Where pictures are kept; empty: nowhere. See cache_folder().
+    /// The folder of the cache; empty: none. See cache_folder().
     std::string cache;
 };
 
@@ -49,24 +49,26 @@ struct PovPicture {
 /// display.
 std::vector<std::string> povray_arguments(int width, int height, int threads);
 
-/// Runs POV-Ray in a fresh temporary folder, or takes the picture from the cache. Throws FileError,
-/// with POV-Ray's own message lines, when it fails, hangs, or writes no such picture.
+/// Runs POV-Ray in a new temporary folder, or takes the picture from the cache. Throws FileError,
+/// with POV-Ray's own error messages, when it fails, exceeds the time limit, or writes no such
+/// picture.
 PovPicture run_povray(const PovRay& povray, const PovJob& job, const PovOptions& options = {});
 
-/// Either the picture or why there is none.
+/// The picture, or the reason why there is none.
 struct PovOutcome {
     std::optional<PovPicture> picture;
     std::string failure;
 };
 
-/// Several jobs, `parallel` of them at once; 0: twice as many as the machine has cores, because
-/// POV-Ray sleeps for half a second when it starts. Results in the order of the jobs. `on_done`, if
-/// any, is called with the index of each finished job, one call at a time.
+/// Runs several jobs, `parallel` of them at once; 0: twice as many as there are cores, because
+/// POV-Ray sleeps for half a second when it starts. Results are in the order of the jobs.
+/// `on_done`, if any, is called with the index of each finished job, one call at a time.
 std::vector<PovOutcome> run_povray_jobs(const PovRay& povray, const std::vector<PovJob>& jobs,
                                         const PovOptions& options = {}, int parallel = 0,
                                         const std::function<void(std::size_t)>& on_done = {});
 
-/// $LANCER_CACHE, else $XDG_CACHE_HOME/lancer, else ~/.cache/lancer; empty when none can be told.
+/// $LANCER_CACHE, otherwise $XDG_CACHE_HOME/lancer, otherwise ~/.cache/lancer; empty when none is
+/// known.
 std::string cache_folder();
 
 }  // namespace lancer::reference
