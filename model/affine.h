@@ -1,4 +1,4 @@
-// Affine maps: what transforms of the language become.
+// Affine maps: the transforms of the language.
 #pragma once
 
 #include <algorithm>
@@ -28,20 +28,21 @@ Vec3<Real> map_point(const Affine<Real>& m, const Vec3<Real>& p) {
     return map_vector(m, p) + m.shift;
 }
 
-/// How far points move at most when each of their coordinates moves by up to that of `v`.
+/// A bound on how far points move when each coordinate of the argument changes by up to that of
+/// `v`.
 template <class Real>
 Vec3<Real> map_bound(const Affine<Real>& m, const Vec3<Real>& v) {
     return {dot(absolute(m.rows[0]), v), dot(absolute(m.rows[1]), v), dot(absolute(m.rows[2]), v)};
 }
 
-/// The transposed linear part times v: takes a normal from the image space back, when `m` is the
-/// inverse of the map that moved the surface.
+/// The transposed linear part times v. It transforms a normal with the surface when `m` is the
+/// inverse of the map that moves the surface.
 template <class Real>
 Vec3<Real> map_transposed(const Affine<Real>& m, const Vec3<Real>& v) {
     return m.rows[0] * v.x + m.rows[1] * v.y + m.rows[2] * v.z;
 }
 
-/// First `inner`, then `outer`.
+/// Applies `inner` first, then `outer`.
 template <class Real>
 Affine<Real> compose(const Affine<Real>& outer, const Affine<Real>& inner) {
     Affine<Real> m;
@@ -70,8 +71,8 @@ Affine<Real> inverse(const Affine<Real>& m) {
     return inv;
 }
 
-/// How much the map lengthens a vector at most, exact for similarities: the root of the largest
-/// absolute row sum of M^T M. > 0 for a map that is not singular.
+/// A bound on the factor by which the map lengthens vectors, exact for similarities: the root of
+/// the largest absolute row sum of M^T M. > 0 for a map that is not singular.
 inline double largest_stretch(const Affine<double>& map) {
     double size = 0;
     for (const Vec3d& row : map.rows) size = std::max(size, max_component(absolute(row)));

@@ -25,7 +25,7 @@ std::string quote(const SourceSpan& where, const SourceMap& sources) {
         std::size_t from = caret > widest_quote / 2 ? caret - widest_quote / 2 : 0;
         from = std::min(from, line.size() - widest_quote);
         std::size_t to = from + widest_quote;
-        // A cut never splits a UTF-8 character.
+        // Never cut within a UTF-8 character.
         while (from > 0 && is_continuation_byte(line[from])) --from;
         while (to < line.size() && is_continuation_byte(line[to])) ++to;
         if (from > 0) before_cut = "...";
@@ -47,7 +47,7 @@ std::string quote(const SourceSpan& where, const SourceMap& sources) {
     std::string shown(line);
     for (char& c : shown) {
         const bool control = static_cast<unsigned char>(c) < 0x20 && c != '\t';
-        if (control || c == 0x7F) c = '?';  // no escape sequence reaches the terminal
+        if (control || c == 0x7F) c = '?';  // no escape sequence may reach the terminal
     }
     for (std::size_t bad = 0; (bad = find_invalid_utf8(shown, bad)) != std::string::npos;)
         shown[bad] = '?';

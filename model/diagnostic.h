@@ -1,4 +1,4 @@
-// What is wrong with a user's scene: collected by the stages, printed by cli/ alone.
+// Errors and warnings about a user's scene. All stages collect them, only cli/ prints them.
 #pragma once
 
 #include <stdexcept>
@@ -20,7 +20,7 @@ struct Diagnostic {
         notes;  ///< first definition, opener, call stack; without notes of their own
 };
 
-/// The diagnostic as a compiler prints it:
+/// Formats the diagnostic like a compiler:
 ///     file:line:column: error: message
 ///         source line, cropped to about 100 bytes around the caret
 ///             ^~~~
@@ -35,7 +35,7 @@ struct SceneError : std::runtime_error {
     SourceSpan where;
 };
 
-/// The world is wrong, not the scene: a file that cannot be read or written, POV-Ray missing or
+/// A failure outside of the scene: a file that cannot be read or written, POV-Ray missing or
 /// failing. Caught once in cli/, exit code 4.
 struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;

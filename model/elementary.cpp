@@ -44,7 +44,7 @@ LANCER_ELEMENTARY_2(atan2, u10purec)
 float pow(float x, float y) {
     return Sleef_cinz_powf1_u10purec(x, y);
 }
-/// Through the function for two numbers at once, which gives the same ones in two thirds of the
+/// Calls the function for two numbers at once, which gives the same results in two thirds of the
 /// time.
 double pow(double x, double y) {
 #ifdef __SSE2__
@@ -61,7 +61,7 @@ long double pow(long double x, long double y) {
 #undef LANCER_ELEMENTARY_2
 
 SineCosine sine_cosine_of_degrees(double degrees) {
-    // remainder() is exact, so the reduction to [-45, 45] loses nothing.
+    // remainder() is exact, so the reduction to [-45, 45] causes no error.
     const double quarters = std::nearbyint(std::remainder(degrees, 360.0) / 90.0);
     const double rest =
         std::remainder(degrees, 90.0) * (3.141592653589793238462643383279502884 / 180.0);

@@ -1,10 +1,10 @@
 // Transcendental functions that return the same bits on every processor.
 //
-// glibc picks an implementation by CPU (with or without FMA) and the variants differ in the last
-// bit, so a picture would depend on the machine. SLEEF's "cinz" scalar functions are defined to be
-// bit-identical everywhere, within 1 ulp. They serve float and double; long double and wider types,
-// which are used to judge the others, take the standard library's (x87 code, one implementation).
-// sqrt, fma, floor and the like are exact by IEEE 754 and come from <cmath> as they are.
+// glibc chooses an implementation by CPU (with or without FMA), and the variants differ in the last
+// bit, so a picture would depend on the machine. SLEEF's scalar functions "cinz" are defined to be
+// bit-identical everywhere, within 1 ulp. They are used for float and double. long double and wider
+// types, which judge the others, use the standard library (x87 code, one implementation). IEEE 754
+// requires exact rounding of sqrt, fma, floor and the like, so these come from <cmath>.
 #pragma once
 
 namespace lancer::elementary {
@@ -33,7 +33,7 @@ LANCER_ELEMENTARY_2(pow)
 #undef LANCER_ELEMENTARY_1
 #undef LANCER_ELEMENTARY_2
 
-/// sin and cos of an angle in degrees, exact at multiples of 90: a quarter turn is a quarter turn.
+/// sin and cos of an angle in degrees, exact at multiples of 90.
 struct SineCosine {
     double sine = 0.0;
     double cosine = 1.0;

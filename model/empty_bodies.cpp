@@ -27,7 +27,7 @@ class Tree {
         std::uint32_t index = 0;
         bool is_leaf = false;
     };
-    /// What is known of a child: a box round it, or that it is empty.
+    /// What is known of a child: its bounding box, or that it is empty.
     struct Known {
         Extent box;
         Emptiness empty = Emptiness::not_known;
@@ -50,7 +50,7 @@ class Tree {
         return whole;
     }
 
-    /// Goes on from the parts of a node so far to those with one more.
+    /// Adds one more part to what is known of a node's parts so far.
     void add_part(Composite::Kind kind, Child first, Child next, Known& whole) const {
         if (kind == Composite::Kind::subtract) {
             if (!whole.is_empty() && (holds(next, whole.box) || are_equal(first, next)))
@@ -83,7 +83,7 @@ class Tree {
                       map_bound(map, (own.max - own.min) * 0.5));
     }
 
-    /// Whether all of the box lies in the child, but for what rounding did to both.
+    /// Whether the child contains the whole box, except for rounding.
     bool holds(Child child, const Extent& box) const {
         if (!box.is_finite()) return false;
         if (child.is_leaf) return leaf_holds(composite_.leaves[child.index].object, box);

@@ -7,7 +7,7 @@
 namespace lancer {
 namespace {
 
-/// Round a disc across `axis`.
+/// The box of a disc perpendicular to `axis`.
 Extent round_disc(const Vec3d& center, const Vec3d& axis, double radius) {
     const Vec3d a = axis / max_component(absolute(axis));
     const double whole = length(a);

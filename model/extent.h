@@ -1,4 +1,4 @@
-// Boxes round bodies, and whether convex bodies hold a point: rough answers, before anything is
+// Bounding boxes, and whether convex bodies contain a point: rough answers before anything is
 // traced.
 #pragma once
 
@@ -8,26 +8,27 @@
 
 namespace lancer {
 
-/// A box along the axes; without limits where nothing is known.
+/// An axis-aligned box; unbounded where nothing is known.
 struct Extent {
     Vec3d min{-std::numeric_limits<double>::infinity()};
     Vec3d max{std::numeric_limits<double>::infinity()};
 
     bool is_finite() const;
-    /// Whether it is less than nothing in a direction, by more than rounding made of its ends.
+    /// Whether the box is empty in some direction by more than rounding errors.
     bool is_inside_out() const;
 };
 
 Extent around(const Vec3d& center, const Vec3d& half);
-/// Round both.
+/// The box around both.
 Extent joined(const Extent& a, const Extent& b);
-/// What both hold; inside out where they lie apart.
+/// The intersection; inside out when the boxes are apart.
 Extent common(const Extent& a, const Extent& b);
 
-/// Of a ball, box, cylinder, cone or torus, but for rounding; of others the box without limits.
+/// The box of a sphere, box, cylinder, cone or torus, except for rounding; unbounded for other
+/// shapes.
 Extent shape_extent(const Shape& shape);
 
-/// Whether a ball, box, cylinder, cone or half space holds the point; false for others.
+/// Whether a sphere, box, cylinder, cone or half space contains the point; false for others.
 bool convex_holds(const Shape& shape, const Vec3d& p);
 
 }  // namespace lancer

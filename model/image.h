@@ -7,15 +7,15 @@
 
 namespace lancer {
 
-/// Layout: `height` rows of `width` pixels of `channels` values, top row first.
-/// Values: linear light, scene-referred, not clamped. Alpha, where there is any, is the fourth
-/// channel and not multiplied into the others.
+/// Layout: `height` rows of `width` pixels of `channels` values, top row first. Values are linear
+/// light, scene-referred, not clamped. Alpha, if present, is the fourth channel and not
+/// premultiplied.
 struct Image {
     int width = 0;
     int height = 0;
     int channels = 3;
     std::vector<double> data;
-    /// Names of the last channels, beyond R, G, B (and A), for formats that can hold them.
+    /// Names of the channels after R, G, B (and A), for formats that can store them.
     std::vector<std::string> extra_names;
 
     Image() = default;
@@ -26,7 +26,8 @@ struct Image {
           data(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
                static_cast<std::size_t>(c)) {}
 
-    /// Channels without the extra ones: 1 is grey, 3 are R, G, B, and 4 have alpha too.
+    /// The number of channels without the extra ones: 1 is grey, 3 are R, G, B, and 4 include
+    /// alpha.
     int color_channels() const { return channels - static_cast<int>(extra_names.size()); }
 
     std::size_t index(int x, int y) const {
@@ -38,8 +39,8 @@ struct Image {
     const double* pixel(int x, int y) const { return data.data() + index(x, y); }
 };
 
-/// The picture as red, green, blue and, where it has one, alpha: grey stands three times, extra
-/// channels are left out.
+/// The picture as red, green, blue and, if present, alpha. Grey is copied to all three; extra
+/// channels are dropped.
 Image in_color(Image image);
 
 }  // namespace lancer

@@ -24,7 +24,8 @@ struct DirectionalLight {
     Vec3d direction{0, -1, 0};  ///< the way the light travels; any length but 0
 };
 
-/// Full inside `radius`, smooth to nothing at `falloff`: half-angles in degrees.
+/// Full intensity inside `radius`, decreasing smoothly to zero at `falloff`: half-angles in
+/// degrees.
 struct SpotLight {
     Vec3d position{0, 0, 0};
     Vec3d look_at{0, 0, 0};

@@ -1,5 +1,6 @@
-// What the lights are, apart from their numbers: one file, which messages, counts, the scale of the
-// world, bounds on light and the judge ask. docs/adding-a-light.md lists the other places.
+// The properties of each kind of light apart from its numbers, in one file. Messages, counts, the
+// scale of the world, bounds on light and the judge use it. docs/adding-a-light.md lists the other
+// places.
 #pragma once
 
 #include <optional>
@@ -30,7 +31,7 @@ struct FactsOf {
 
 }  // namespace light_facts
 
-/// Points into `kind`.
+/// The result points into `kind`.
 inline LightFacts facts_of(const LightKind& kind) {
     return std::visit(light_facts::FactsOf{}, kind);
 }

@@ -1,4 +1,4 @@
-// What surfaces look like. Formulas in docs/shading.md, term by term.
+// The appearance of surfaces. docs/shading.md has the formulas, term by term.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ struct Gradient {
     std::vector<Stop> stops;  ///< at least one, `at` never decreasing
 };
 
-/// The colours of a mesh's vertices, interpolated over its faces: `color vertex` in a material,
-/// which only meshes with colours wear.
+/// The colours of a mesh's vertices, interpolated over its faces: `color vertex` in a material.
+/// Only meshes with colours may use it.
 struct VertexColors {};
 
 struct Texture {
@@ -45,7 +45,7 @@ struct Texture {
     Affine<double> to_object;  ///< the texture's own transforms
 };
 
-/// A sum of terms, hence one flat struct. Defaults are those of the language.
+/// The terms add up, so this is one flat struct. The defaults are those of the language.
 struct Material {
     Color color{1, 1, 1};
     std::uint32_t texture = none;  ///< index into Scene::textures; replaces `color`

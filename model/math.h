@@ -1,10 +1,10 @@
-// Numbers and vectors. The only header that names GLM, and the only door to transcendental
-// functions.
+// Numbers and vectors. This is the only header that names GLM, and the only access to
+// transcendental functions.
 //
 // Geometry and shading are templates over `Real`: float, double, long double, and in tests a
-// 113-bit type. GLM's vector *types* compile for all of them, its geometric *functions* do not, so
-// the few that we need stand here, each with one fixed order of operations: pictures must not
-// depend on how a library happens to sum.
+// 113-bit type. GLM's vector *types* compile for all of them, but its geometric *functions* do not.
+// So the few that we need are here, each with a fixed order of operations: pictures must not depend
+// on how a library sums.
 #pragma once
 
 #ifndef GLM_FORCE_XYZW_ONLY
@@ -22,7 +22,7 @@
 
 namespace lancer {
 
-// Found by name for the built-in types, by argument for others.
+// std:: for the built-in types; argument-dependent lookup finds them for other types.
 using std::frexp;
 using std::ilogb;
 using std::ldexp;
@@ -53,7 +53,8 @@ constexpr Real length_squared(const Vec3<Real>& v) {
     return dot(v, v);
 }
 
-/// Euclidean length. Squares: |v| must lie in the square root of the type's range.
+/// Euclidean length. It squares the components: |v| must be within the square root of the type's
+/// range.
 template <class Real>
 Real length(const Vec3<Real>& v) {
     using std::sqrt;
@@ -66,7 +67,8 @@ Vec3<Real> normalize(const Vec3<Real>& v) {
     return v / length(v);
 }
 
-/// Whether a sum of squares lies where neither it nor a term that matters overflows or vanishes.
+/// Whether a sum of squares is in the range in which neither it nor a significant term overflows or
+/// underflows.
 template <class Real>
 constexpr bool is_sound_square(Real square) {
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -87,7 +89,8 @@ Vec3<Real> absolute(const Vec3<Real>& v) {
     return {abs(v.x), abs(v.y), abs(v.z)};
 }
 
-/// v / |v| for a vector of any length but 0; v itself where that is 1 but for its own rounding.
+/// v / |v| for a vector of any length but 0. Returns v itself if its length is 1 up to its own
+/// rounding.
 template <class Real>
 Vec3<Real> unit(const Vec3<Real>& v) {
     using std::abs;

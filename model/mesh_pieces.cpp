@@ -9,13 +9,13 @@
 namespace lancer {
 namespace {
 
-/// Copies what the faces of one piece after another use, numbered in the order of use.
+/// Copies the elements that the faces of each piece use, numbered in the order of use.
 template <class Attribute>
 class Compactor {
   public:
     explicit Compactor(const std::vector<Attribute>& from) : from_(from) {}
 
-    /// The faces `which` of `faces`, which point into `from`, as faces that point into `to`.
+    /// Copies the faces `which` of `faces`; their indices into `from` become indices into `to`.
     void compact(const std::vector<Mesh::Corners>& faces, std::span<const std::uint32_t> which,
                  std::vector<Attribute>& to, std::vector<Mesh::Corners>& to_faces) {
         number_.resize(from_.size(), none);
@@ -78,7 +78,7 @@ Mesh with_averaged_normals(const Mesh& mesh) {
     assert(mesh.normals.empty());
     double largest = 0;
     for (const Vec3d& v : mesh.vertices) largest = std::max(largest, max_component(absolute(v)));
-    // Powers of two: neither overflow nor rounding.
+    // Scaling by powers of two causes no overflow and no rounding.
     const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
     const auto scaled = [exponent](const Vec3d& v) {
         return Vec3d(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent),

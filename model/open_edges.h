@@ -1,4 +1,4 @@
-// Why a mesh is not closed.
+// Finds out why a mesh is not closed.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace lancer {
 /// Edges of a mesh that do not belong to exactly two faces (model/bodies.h, is_closed).
 struct OpenEdges {
     std::uint64_t count = 0;
-    std::uint64_t faces = 0;             ///< of the first of them, in the order of the faces
+    std::uint64_t faces = 0;             ///< of the first such edge, in the order of the faces
     Vec3d begin{0, 0, 0}, end{0, 0, 0};  ///< of the first
 };
 OpenEdges open_edges(const Mesh& mesh);

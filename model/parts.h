@@ -1,11 +1,11 @@
-// The shapes that stand in the world: a composite's leaves in its place.
+// The shapes in the world, with the leaves of each composite instead of the composite.
 #pragma once
 
 #include "model/scene.h"
 
 namespace lancer {
 
-/// Calls visit(object) for the object or, where it is a composite, for each of its leaves.
+/// Calls visit(object) for the object or, if it is a composite, for each of its leaves.
 template <class Visit>
 void for_each_part(const Scene& scene, const Object& object, Visit&& visit) {
     const auto* ref = std::get_if<CompositeRef>(&object.shape);

@@ -7,7 +7,7 @@
 namespace lancer {
 namespace {
 
-/// The Bezier points of a row of B-spline points: n become 3 (n - 3) + 1. Farin, section 8.1.
+/// Converts a row of n B-spline points to 3 (n - 3) + 1 Bézier points. Farin, section 8.1.
 std::vector<Vec3d> row_to_bezier(const std::vector<Vec3d>& p) {
     std::vector<Vec3d> b;
     b.reserve(3 * (p.size() - 3) + 1);

@@ -9,7 +9,7 @@ Color mean(const Checker& checker) {
     return (checker.even + checker.odd) / 2.0;
 }
 
-/// Of the piecewise linear function over [0, 1], whose end colours go on to both sides.
+/// The mean of the piecewise linear function over [0, 1]; its end colours extend to both sides.
 Color mean(const Gradient& gradient) {
     const auto& stops = gradient.stops;
     const auto inside = [](double at) { return std::clamp(at, 0.0, 1.0); };
@@ -48,7 +48,7 @@ Color plain_color(const Scene& scene, const Material& material) {
         return mean(*scene.images[image->image].pixels);
     if (const auto* checker = std::get_if<Checker>(&pattern)) return mean(*checker);
     if (const auto* gradient = std::get_if<Gradient>(&pattern)) return mean(*gradient);
-    return Color(1);  // of vertices: many meshes may wear it
+    return Color(1);  // vertex colours: many meshes may share the material
 }
 
 }  // namespace lancer

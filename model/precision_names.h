@@ -1,4 +1,4 @@
-// The words for a precision: what people write and reports print.
+// The names of precisions in scripts, options and reports.
 #pragma once
 
 #include <array>

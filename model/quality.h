@@ -1,4 +1,4 @@
-// Settings by one word: as much time as a purpose is worth.
+// Settings chosen by one word, for different purposes.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@ inline constexpr std::array all_qualities{Quality::draft, Quality::normal, Quali
                                           Quality::exact};
 std::string_view name_of(Quality quality);
 
-/// What a quality decides; all else stays as it is.
+/// The settings that a quality determines; all others are unchanged.
 struct QualityValues {
     int samples;
     Sampling sampling;
     int max_depth;
     double min_contribution;
 };
-/// From what settings cost and bring in the gallery: docs/cost-of-accuracy.md, "Presets".
+/// Chosen from measurements of the gallery: docs/cost-of-accuracy.md, "Presets".
 const QualityValues& values_of(Quality quality);
 
 void apply(const QualityValues& values, Settings& settings);

@@ -89,7 +89,7 @@ class Collector {
         }
     }
 
-    /// What the inside of a body does to the rays in it. An opaque body can be lived in as well.
+    /// Adds what the inside of a body requires. An opaque body can also have rays inside of it.
     void add_inside(const Object& object, const Material& m, bool transparent,
                     const Demand& demand) {
         const bool absorbs = max_component(m.absorption) > 0;
@@ -142,7 +142,7 @@ bool lets_light_through(const Scene& scene, const Material& material, bool textu
     if (!textures || material.texture == none) return false;
     const auto* image = std::get_if<ImageTexture>(&scene.textures[material.texture].pattern);
     if (image == nullptr) return false;
-    // Outside of an image that is shown once, and where its alpha says so.
+    // Light passes outside of an image that is shown once, and where its alpha allows it.
     return image->wrap == ImageTexture::Wrap::once ||
            scene.images[image->image].pixels->channels == 4;
 }

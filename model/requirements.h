@@ -1,5 +1,5 @@
-// What a scene asks of the renderer, and which object asks first. What nothing asks for costs
-// nothing. The tracer's World takes its answers from here, and so does `lancer info`.
+// What a scene requires of the renderer, and which object requires it first. Features that nothing
+// requires cost nothing. The tracer's World and `lancer info` use this.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace lancer {
 
-/// One thing that a renderer can do, or can leave out for a scene that has no need of it.
+/// A feature of the renderer that scenes may not need.
 enum class Feature : std::uint8_t {
     meshes,             ///< an acceleration structure of triangles
     splines,            ///< patch, lathe or prism
@@ -33,11 +33,11 @@ enum class Feature : std::uint8_t {
 };
 inline constexpr std::size_t feature_count = 15;
 
-/// The word for it in `info`, and one sentence of what it means.
+/// The name of the feature in `info`, and one sentence about its meaning.
 std::string_view name_of(Feature feature);
 std::string_view meaning_of(Feature feature);
 
-/// The first that asks for a feature.
+/// The first object that requires a feature.
 struct Demand {
     std::uint32_t object = none;  ///< index into Scene::objects; none: it is the lights
     SourceSpan place;             ///< of that object or light
@@ -49,13 +49,13 @@ class Requirements {
     const std::optional<Demand>& demand(Feature feature) const {
         return demands_[static_cast<std::size_t>(feature)];
     }
-    /// Notes a demand, unless there is an earlier one.
+    /// Records a demand, unless there is an earlier one.
     void add(Feature feature, const Demand& by);
 
-    /// Whether the object is a body whose inside matters to rays: it lets light through, or has an
-    /// index or an absorption of its own.
+    /// Whether the object is a medium: a body whose inside matters to rays, because it is
+    /// transparent or has an index or an absorption of its own.
     bool is_medium(std::uint32_t object) const { return mediums_[object]; }
-    /// Of the next object.
+    /// Sets this for the next object.
     void add_medium(bool is_one) { mediums_.push_back(is_one); }
 
   private:
@@ -63,12 +63,12 @@ class Requirements {
     std::array<std::optional<Demand>, feature_count> demands_;
 };
 
-/// Whether some light may pass through a surface of this material. `textures` false: their alpha
-/// is not looked at.
+/// Whether light may pass through a surface of this material. `textures` false: the alpha of
+/// textures is ignored.
 bool lets_light_through(const Scene& scene, const Material& material, bool textures);
 
-/// What the objects of `scene` ask for when rendered with `settings`: what these switch off
-/// (shadows, smooth, textures, everything that recursion does at depth 1) is not asked for.
+/// What the objects of `scene` require when rendered with `settings`. Features that the settings
+/// switch off (shadows, smooth, textures, all recursion at depth 1) are not required.
 Requirements requirements_of(const Scene& scene, const Settings& settings);
 
 }  // namespace lancer

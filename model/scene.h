@@ -1,4 +1,4 @@
-// A scene: what the evaluator makes, and what tracer, exporter and `info` read.
+// The scene: the result of the evaluator, and the input of tracer, exporter and `info`.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct Camera {
     SourceSpan place{};
 };
 
-/// An image that textures of the scene name, decoded once: linear light, 3 or 4 channels.
+/// An image that textures of the scene use, decoded once: linear light, 3 or 4 channels.
 struct SceneImage {
     std::string path;
     bool decode_srgb = true;              ///< false: `color_space "linear"`
@@ -51,16 +51,17 @@ struct Object {
     SourceSpan place{};  ///< of its keyword
 };
 
-/// A solid made of solids: a tree of unions, intersections and differences over bodies.
+/// A solid made of solids: a tree of unions, intersections and differences of bodies.
 ///
-/// Its object has the identity for its transform: each leaf stands where it is in the world.
+/// The transform of its object is the identity: each leaf has its own place in the world.
 struct Composite {
     enum class Kind : std::uint8_t { unite, intersect, subtract };
 
-    /// What is true of a child, be it a node or a leaf.
+    /// The position of a child, which is a node or a leaf.
     struct Place {
         std::uint32_t parent = none;  ///< index into `nodes`; `none` for the whole
-        bool first = false;           ///< of its parent's children: what the others are cut from
+        /// the first of its parent's children, from which a difference cuts the others
+        bool first = false;
     };
     struct Node {
         Kind kind = Kind::unite;
@@ -83,7 +84,8 @@ struct Scene {
     int height = 480;
     Settings settings;
     Color background{0, 0, 0};
-    /// In its place, by the cosine of a ray's direction with the axis: stops from -1 to 1.
+    /// The sky, if there is one, replaces the background: a function of the cosine between the
+    /// ray's direction and the axis; stops from -1 to 1.
     std::optional<Gradient> sky;
     Color ambient{1, 1, 1};
     std::vector<Camera> cameras;  ///< the first is the default

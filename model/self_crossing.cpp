@@ -1,5 +1,5 @@
-// Does a closed curve pass through itself? By subdivision: pieces whose hulls are apart do not
-// cross, and pieces that are nearly straight cross when their chords do.
+// Tests whether a closed curve crosses itself, by subdivision: pieces with disjoint hulls do not
+// cross, and nearly straight pieces cross when their chords do.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,10 +12,11 @@ namespace {
 
 /// How often a piece may be halved before an undecided pair counts as touching.
 constexpr int depth_limit = 40;
-/// Pairs halved before the rest counts as touching: parts that run along each other never end.
+/// The number of pairs that are halved before the rest counts as touching: parts that run along
+/// each other would never end.
 constexpr int split_limit = 1'000'000;
 
-/// A piece of the curve; a straight one has its inner points on its ends.
+/// A piece of the curve. For a straight one, the inner points are at its ends.
 struct Piece {
     std::array<Vec2d, 4> p;
     bool straight = false;
@@ -46,8 +47,8 @@ double dot(const Vec2d& a, const Vec2d& b) {
     return a.x * b.x + a.y * b.y;
 }
 
-/// Two parts of about the same length. Not exactly half: the crossing of a symmetric figure would
-/// then fall on the cut again and again, and be inside of no part.
+/// Splits into two parts of about the same length. It does not split exactly in the middle: the
+/// crossing of a symmetric figure would then lie on the cut every time, and inside no part.
 std::array<Piece, 2> halves(const Piece& piece) {
     constexpr double cut = 0.4853;
     const auto mid = [](const Vec2d& a, const Vec2d& b) { return a * (1.0 - cut) + b * cut; };
@@ -61,15 +62,15 @@ std::array<Piece, 2> halves(const Piece& piece) {
     return {Piece{{p[0], a, ab, m}, piece.straight}, Piece{{m, bc, c, p[3]}, piece.straight}};
 }
 
-/// All edges of the control polygon go the same way within 90 degrees: the piece cannot cross
-/// itself.
+/// Whether all edges of the control polygon have directions within 90 degrees; then the piece
+/// cannot cross itself.
 bool turns_little(const Piece& piece) {
     if (piece.straight) return true;
     const std::array e{piece.p[1] - piece.p[0], piece.p[2] - piece.p[1], piece.p[3] - piece.p[2]};
     return dot(e[0], e[1]) >= 0 && dot(e[1], e[2]) >= 0 && dot(e[0], e[2]) >= 0;
 }
 
-/// The control points lie so near the chord that the chord stands for the curve.
+/// Whether the control points are so close to the chord that it can replace the curve.
 bool is_flat(const Piece& piece) {
     if (piece.straight) return true;
     const Vec2d chord = piece.p[3] - piece.p[0];
@@ -79,7 +80,7 @@ bool is_flat(const Piece& piece) {
            turns_little(piece);
 }
 
-/// The two chords pass through each other, inside both.
+/// The point where the two chords cross, if it is inside of both.
 std::optional<Vec2d> chords_cross(const Piece& a, const Piece& b) {
     const Vec2d ca = a.p[3] - a.p[0];
     const Vec2d cb = b.p[3] - b.p[0];
@@ -95,7 +96,8 @@ std::optional<Vec2d> chords_cross(const Piece& a, const Piece& b) {
 
 class Search {
   public:
-    /// A crossing between two pieces that share no joint, or, if `joined`, a ends where b begins.
+    /// A crossing of two pieces that share no joint or, if `joined`, of which a ends where b
+    /// begins.
     std::optional<Vec2d> pair(const Piece& a, const Piece& b, bool joined, int depth) {
         if (!overlap(bounds(a), bounds(b))) return std::nullopt;
         if (joined && (same_way(a, b) || fan_apart(a, b))) return std::nullopt;
@@ -123,7 +125,7 @@ class Search {
     }
 
   private:
-    /// Both pieces advance along one direction: they meet in their joint alone.
+    /// Whether both pieces advance along one direction: then they meet only in their joint.
     static bool same_way(const Piece& a, const Piece& b) {
         const Vec2d way = b.p[3] - a.p[0];
         for (const Piece* piece : {&a, &b}) {
@@ -134,7 +136,7 @@ class Search {
         return dot(way, way) > 0;
     }
 
-    /// Seen from the joint, all of a lies to one side of all of b.
+    /// Whether all of a is on one side of all of b, as seen from the joint.
     static bool fan_apart(const Piece& a, const Piece& b) {
         int side = 0;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -154,7 +156,7 @@ class Search {
 }  // namespace
 
 std::optional<Vec2d> self_crossing(const PlaneCurve& outline) {
-    // In units of the curve's size, so that products neither overflow nor vanish.
+    // Uses units of the curve's size, so that products neither overflow nor underflow.
     double size = 0.0;
     for (const Vec2d& p : outline.points) size = std::max({size, std::abs(p.x), std::abs(p.y)});
     if (size == 0.0) return std::nullopt;
@@ -175,7 +177,7 @@ std::optional<Vec2d> self_crossing(const PlaneCurve& outline) {
         if (auto found = search.loop(piece, 0)) return *found * unit;
     }
 
-    // Sweep over x: only pieces whose boxes overlap are compared.
+    // Sweeps over x, so that only pieces with overlapping boxes are compared.
     const std::size_t n = pieces.size();
     std::vector<Extent> boxes(n);
     std::vector<std::size_t> order(n);

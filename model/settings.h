@@ -1,4 +1,4 @@
-// How to render: every knob that trades speed for accuracy, in one plain struct.
+// All settings that trade speed for accuracy, in one plain struct.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace lancer {
 
 enum class Precision { single, double_, extended };
 
-/// Where in a pixel the rays go: on a regular grid, or at Owen-scrambled Sobol points, which take
+/// The positions of rays in a pixel: a regular grid, or Owen-scrambled Sobol points, which need
 /// fewer rays for the same error.
 enum class Sampling { grid, sobol };
 
@@ -22,8 +22,9 @@ struct Settings {
     bool shadows = true;
     bool smooth = true;    ///< interpolated normals
     bool textures = true;  ///< false: plain colours
-    /// Bound on the distance of what is drawn from the true surface, in world units: patches become
-    /// triangles. Without it they are met on their true surface, unless one has a tolerance.
+    /// A bound on the distance between the drawn and the true surface, in world units: patches
+    /// become triangles. Without it, rays intersect the true surface, unless a patch has its own
+    /// tolerance.
     std::optional<double> tolerance;
     Precision precision = Precision::double_;
     int threads = 0;  ///< 0 = as many as the machine has

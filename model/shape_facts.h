@@ -1,5 +1,5 @@
-// What the shapes are, apart from their numbers, and what their numbers are called: one file, which
-// requirements, messages, counts, the digest of a scene and the reference pack ask.
+// The properties of each shape apart from its numbers, and the names of its numbers, in one file.
+// Requirements, messages, counts, the digest of a scene and the reference pack use it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace lancer {
 
-/// What is said of a shape without an inside.
+/// A description of a shape without an inside, for messages.
 struct Sheet {
     std::string_view what;
     std::string_view hint;  ///< how it may get an inside
@@ -20,17 +20,18 @@ struct Sheet {
 
 struct ShapeFacts {
     std::string_view name;
-    /// Whether it can be entered and left. Nothing: that takes a look at all edges of the mesh,
-    /// see is_body().
+    /// Whether rays can enter and leave it. Nothing: this depends on the edges of the mesh, see
+    /// is_body().
     std::optional<bool> inside = std::nullopt;
-    Sheet sheet = {};             ///< of a shape that has no inside, or may have none
+    Sheet sheet = {};             ///< for a shape that has no inside, or may have none
     bool mesh = false;            ///< made of triangles with an acceleration structure
     bool spline = false;          ///< patch, lathe or prism
     bool interpolates = false;    ///< has normals to interpolate
     std::uint64_t triangles = 0;  ///< that it counts for
 };
 
-/// Of a composite: the name and the inside are its own, the rest is what its leaves have together.
+/// For a composite, the name and the inside are its own; the other facts combine those of its
+/// leaves.
 ShapeFacts facts_of(const Scene& scene, const Shape& shape);
 
 namespace shape_facts {
@@ -131,8 +132,9 @@ inline constexpr bool is_alternative<T, std::variant<Kinds...>> = (std::is_same_
 template <class T>
 concept OneShape = is_alternative<T, Shape>;
 
-// fields(shape, take) calls take(name, value) for each field, in the order of the struct: for what
-// treats all shapes alike. The bindings name all fields, so that a new one is not forgotten.
+// fields(shape, take) calls take(name, value) for each field, in the order of the struct, for code
+// that treats all shapes alike. The structured bindings name all fields, so a new one cannot be
+// forgotten.
 
 template <class Take>
 void fields(const Sphere& s, Take&& take) {

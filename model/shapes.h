@@ -1,4 +1,4 @@
-// The shapes of the scene language as plain data. What a ray makes of them is in tracer/shapes/.
+// The shapes of the scene language as plain data. tracer/shapes/ intersects rays with them.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct Box {
     bool operator==(const Box&) const = default;
 };
 
-/// Solid cylinder, or its mantle alone when not capped.
+/// Solid cylinder, or only its side when not capped.
 struct Cylinder {
     Vec3d base{0, 0, 0};
     Vec3d top{0, 1, 0};  ///< != base
@@ -40,7 +40,7 @@ struct Cylinder {
     bool operator==(const Cylinder&) const = default;
 };
 
-/// Solid cone or truncated cone, or its mantle alone when not capped.
+/// Solid cone or truncated cone, or only its side when not capped.
 struct Cone {
     Vec3d base{0, 0, 0};
     Vec3d top{0, 1, 0};      ///< != base
@@ -51,9 +51,9 @@ struct Cone {
     bool operator==(const Cone&) const = default;
 };
 
-/// Solid ring: a tube bent round the y axis of its own space, in the plane y = 0.
+/// Solid torus around the y axis of its own space, in the plane y = 0.
 struct Torus {
-    double radius = 1;  ///< of the circle in the tube's middle; >= tube
+    double radius = 1;  ///< of the circle in the middle of the tube; >= tube
     double tube = 0.5;  ///< radius of the tube, > 0
 
     bool operator==(const Torus&) const = default;
@@ -67,7 +67,7 @@ struct Plane {
     bool operator==(const Plane&) const = default;
 };
 
-/// One triangle. Normals and uvs, which few triangles have, stand in `Scene::triangle_attributes`.
+/// One triangle. Normals and uvs, which few triangles have, are in `Scene::triangle_attributes`.
 struct Triangle {
     std::array<Vec3d, 3> points{};
     std::uint32_t attributes = none;  ///< index into Scene::triangle_attributes
@@ -80,10 +80,10 @@ struct TriangleAttributes {
     std::optional<std::array<Vec2d, 3>> uvs;
 };
 
-/// Whether a mesh has an inside: as its edges tell (is_closed), or as its author says.
+/// Whether a mesh has an inside: decided by its edges (is_closed), or declared by its author.
 enum class Inside : std::uint8_t { if_closed, always, never };
 
-/// A mesh of the scene, shown once. Many may show the same mesh.
+/// One use of a mesh of the scene. Many may refer to the same mesh.
 struct MeshRef {
     std::uint32_t mesh = 0;  ///< index into Scene::meshes
     bool smooth = true;      ///< interpolate normals
@@ -106,7 +106,7 @@ struct LatheRef {
     bool operator==(const LatheRef&) const = default;
 };
 
-/// A drawn-up outline, index into Scene::prisms.
+/// An extruded outline, index into Scene::prisms.
 struct PrismRef {
     std::uint32_t prism = 0;
 
@@ -120,11 +120,12 @@ struct CompositeRef {
     bool operator==(const CompositeRef&) const = default;
 };
 
-/// The closed set of shapes. Add a line here and the build names every place still missing.
+/// The closed set of shapes. If a line is added here, the compiler names every place that does not
+/// handle it.
 using Shape = std::variant<Sphere, Box, Cylinder, Cone, Torus, Plane, Triangle, MeshRef, PatchRef,
                            LatheRef, PrismRef, CompositeRef>;
 
-/// Indexed triangles. A corner has up to three indices: its place, its normal, its texture place.
+/// Indexed triangles. A corner has up to three indices: position, normal, texture coordinates.
 struct Mesh {
     using Corners = std::array<std::uint32_t, 3>;
 
@@ -139,7 +140,7 @@ struct Mesh {
     std::vector<Vec3d> colors;  ///< linear light, one per vertex; may be empty: none given
 };
 
-/// Bicubic Bezier patch (4 x 4) or uniform bicubic B-spline net (rows x columns, each >= 4).
+/// Bicubic Bézier patch (4 x 4) or uniform bicubic B-spline net (rows x columns, each >= 4).
 struct Patch {
     enum class Basis { bezier, bspline };
     Basis basis = Basis::bezier;
@@ -151,14 +152,14 @@ struct Patch {
 
 enum class Spline { linear, bezier, bspline, catmull_rom };
 
-/// A 2D curve turned round the y axis of its own space.
+/// A 2D curve rotated about the y axis of its own space.
 struct Lathe {
-    std::vector<Vec2d> profile;  ///< (r, y); the curve's r is nowhere negative
+    std::vector<Vec2d> profile;  ///< (r, y); r of the curve is never negative
     Spline spline = Spline::linear;
     std::optional<double> tolerance;
 };
 
-/// A closed 2D curve drawn up along y.
+/// A closed 2D curve extruded along y.
 struct Prism {
     std::vector<Vec2d> outline;  ///< (x, z), the first point not repeated at the end
     Spline spline = Spline::linear;

@@ -33,7 +33,7 @@ bool is_along_an_axis(const Vec3d& v) {
     return (v.x != 0) + (v.y != 0) + (v.z != 0) == 1;
 }
 
-/// Rewrites the numbers of a shape; false for one that has to be put under a transform.
+/// Changes the numbers of a shape; false for one that needs a transform instead.
 struct Rewriter {
     Scene& scene;
     const Similarity& to;
@@ -62,11 +62,11 @@ struct Rewriter {
         c.top_radius *= to.factor;
         return true;
     }
-    /// It stands round an axis through the origin of its own space.
+    /// A torus is centred on the origin of its own space.
     bool operator()(Torus&) const { return false; }
     bool operator()(Plane& p) const {
         const bool stays = to.shift == Vec3d(0);
-        // Adding n·shift to the offset would round it for any other normal.
+        // For any other normal, adding n·shift would round the offset.
         if (!stays && !is_along_an_axis(p.normal)) return false;
         p.normal = to.direction(p.normal);
         p.offset *= to.factor;
@@ -97,7 +97,7 @@ struct Rewriter {
     bool operator()(PatchRef&) const { return false; }
     bool operator()(LatheRef&) const { return false; }
     bool operator()(PrismRef&) const { return false; }
-    bool operator()(CompositeRef&) const { return true; }  // its leaves are
+    bool operator()(CompositeRef&) const { return true; }  // its leaves are changed
 };
 
 struct LightRewriter {
@@ -164,8 +164,8 @@ class Changer {
         object.transform = changed_transform(object.transform);
     }
 
-    /// A patch's own tolerance bounds its distance in its own space and in the world, so it follows
-    /// the larger of the two: see Solids::own_tolerance in the tracer.
+    /// A patch's own tolerance bounds the distance in its own space and in the world, so it is
+    /// scaled by the larger of the two factors: see Solids::own_tolerance in the tracer.
     void keep_tolerance(Object& object) {
         auto* ref = std::get_if<PatchRef>(&object.shape);
         if (ref == nullptr || !scene_.patches[ref->patch].tolerance || to_.factor == 1) return;

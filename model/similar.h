@@ -1,28 +1,28 @@
-// The same scene elsewhere: larger or smaller, moved, with other names for its axes, seen from
-// afar. Its picture should be the same; how far it is tells what rounding does to it.
+// The same scene, scaled, moved, with its axes renamed, or seen from far away. Its picture should
+// not change; any change is caused by rounding.
 #pragma once
 
 #include "model/scene.h"
 
 namespace lancer {
 
-// In the first three, what stands in world space without a texture gets new numbers, as if written
-// so in the script; what has a transform, a texture or parameters of its own (patch, lathe, prism)
-// is put under the change, as a group around the whole scene would put it.
+// In the first three functions, objects in world space without a texture get new numbers, as if the
+// script had them. Objects with a transform, a texture or their own parameters (patch, lathe,
+// prism) get a transform, as in a group around the whole scene.
 
-/// All lengths times `factor` (> 0): also fade distances, tolerances, an orthographic picture's
-/// height; absorption, which is per length, is divided.
+/// Multiplies all lengths by `factor` (> 0), including fade distances, tolerances and the height of
+/// an orthographic picture. Absorption is per length, so it is divided.
 Scene scaled(const Scene& scene, double factor);
 
-/// All places plus `by`.
+/// Moves everything by `by`.
 Scene moved(const Scene& scene, const Vec3d& by);
 
-/// x, y, z renamed y, z, x, `times` times over: what lay along x lies along y. Exact.
+/// Renames x, y, z to y, z, x, `times` times: what was along x is along y. Exact.
 Scene axes_renamed(const Scene& scene, int times = 1);
 
-/// Every camera `times` (>= 1) as far from what it looks at, with its picture showing as much of
-/// that place as before. A perspective camera's angle shrinks; what stood behind it comes into
-/// view. An orthographic one is moved back.
+/// Moves every camera to `times` (>= 1) its distance from its look_at point, with the same extent
+/// of that place in its picture. The angle of a perspective camera shrinks; objects behind it come
+/// into view. An orthographic camera is moved back.
 Scene seen_from_afar(const Scene& scene, double times);
 
 }  // namespace lancer

@@ -12,11 +12,11 @@
 namespace lancer {
 namespace {
 
-/// The faces' normals, their areas, and which corners stand at each vertex.
+/// The faces' normals and areas, and the corners at each vertex.
 class Neighbours {
   public:
     Neighbours(const Mesh& mesh, double degrees) : mesh_(mesh) {
-        // The rounding of the normals themselves must not make an edge of exactly `degrees` sharp.
+        // The rounding of the normals must not make an edge of exactly `degrees` sharp.
         constexpr double rounding = 1e-14;
         least_cosine_ = elementary::sine_cosine_of_degrees(degrees).cosine - rounding;
         double largest = 0;
@@ -104,7 +104,8 @@ Mesh with_sharp_edges(const Mesh& mesh, double degrees) {
     Mesh result = mesh;
     result.normals.clear();
     result.normal_faces.assign(mesh.faces.size(), {none, none, none});
-    std::vector<std::uint32_t> group;  // of each corner at the vertex: the first it is joined to
+    // for each corner at the vertex, the first one connected to it
+    std::vector<std::uint32_t> group;
     std::vector<std::uint32_t> normal_of;
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
         const auto here = neighbours.at(vertex);

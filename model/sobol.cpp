@@ -11,8 +11,8 @@ std::uint32_t reversed(std::uint32_t bits) {
     return (bits & 0x55555555U) << 1 | (bits & 0xAAAAAAAAU) >> 1;
 }
 
-/// Changes each bit by a hash of the seed and of the bits below it: Owen's scrambling of a number
-/// that is written backwards. The factors are Burley's; they are even, so no bit changes itself.
+/// Changes each bit by a hash of the seed and the bits below it: Owen's scrambling of a number with
+/// reversed bits. The factors are Burley's; they are even, so no bit changes itself.
 std::uint32_t scrambled_backwards(std::uint32_t bits, std::uint32_t seed) {
     bits += seed;
     bits ^= bits * 0x6C50B47CU;
@@ -30,7 +30,7 @@ std::uint32_t second_coordinate(std::uint32_t index) {
     return bits;
 }
 
-/// The middle of the 2^-32 that these digits name.
+/// The middle of the interval of length 2^-32 that these digits give.
 double unit(std::uint32_t bits) {
     return (static_cast<double>(bits) + 0.5) * 0x1p-32;
 }
@@ -48,7 +48,8 @@ SobolPoints::SobolPoints(std::uint64_t key)
     : seed_x_(static_cast<std::uint32_t>(key)), seed_y_(static_cast<std::uint32_t>(key >> 32)) {}
 
 SquarePoint SobolPoints::operator[](std::uint32_t index) const {
-    // The first coordinate is the index written backwards, which is undone at once.
+    // The first coordinate is the index with reversed bits, and the scrambling works on reversed
+    // bits: so the two reversals cancel.
     return {unit(reversed(scrambled_backwards(index, seed_x_))),
             unit(reversed(scrambled_backwards(reversed(second_coordinate(index)), seed_y_)))};
 }

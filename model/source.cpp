@@ -5,7 +5,7 @@
 namespace lancer {
 namespace {
 
-/// Where the line that holds `from` ends: its LF, CRLF or CR, or the end of the text.
+/// The end of the line that contains `from`: its LF, CRLF or CR, or the end of the text.
 std::size_t line_end(std::string_view text, std::size_t from) {
     return std::min(text.find_first_of("\r\n", from), text.size());
 }

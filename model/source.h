@@ -1,4 +1,4 @@
-// Places in scripts: where something stands, and what that place looks like when printed.
+// Places in scripts, and how messages show them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace lancer {
 
-/// A run of bytes in one source file. Twelve bytes, so that every object of a scene can afford one.
+/// A range of bytes in one source file. It has twelve bytes, so every object of a scene can store
+/// one.
 struct SourceSpan {
     static constexpr std::uint32_t nowhere = 0xFFFFFFFF;
     std::uint32_t file = nowhere;  ///< index into SourceMap; `nowhere`: not from a script
@@ -19,7 +20,7 @@ struct SourceSpan {
     bool operator==(const SourceSpan&) const = default;
 };
 
-/// Owns the name and the text of every file that was read. Texts never move once added.
+/// Owns the name and the text of every file that was read. Texts never move after they were added.
 class SourceMap {
   public:
     std::uint32_t add(std::string name, std::string text);

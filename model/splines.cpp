@@ -11,26 +11,26 @@ namespace {
 
 using Four = std::array<Vec2d, 4>;
 
-/// The first three Bezier points of the segment that four B-spline points define; its last is the
-/// first of the next one.
+/// The first three Bézier points of the segment of four B-spline points; the last one is the first
+/// of the next segment.
 std::array<Vec2d, 3> bspline_segment(const Four& p) {
     return {(p[0] + 4.0 * p[1] + p[2]) / 6.0, (2.0 * p[1] + p[2]) / 3.0, (p[1] + 2.0 * p[2]) / 3.0};
 }
 
-/// The same for a Catmull-Rom segment from p[1] to p[2], whose tangents are half the chords beside
-/// it.
+/// The same for a Catmull-Rom segment from p[1] to p[2]; its tangents are half the chords between
+/// the neighbours of its ends.
 std::array<Vec2d, 3> catmull_rom_segment(const Four& p) {
     return {p[1], p[1] + (p[2] - p[0]) / 6.0, p[2] - (p[3] - p[1]) / 6.0};
 }
 
-/// `at(i)` gives the i-th control point; segment i is made of four from i on.
+/// `at(i)` is the i-th control point; segment i uses four points from i on.
 template <class At>
 PlaneCurve convert_windows(Spline spline, std::size_t segments, const At& at) {
     PlaneCurve curve;
     curve.degree = 3;
     curve.points.reserve(3 * segments + 1);
     for (std::size_t i = 0; i <= segments; ++i) {
-        // One segment too many, of which only the first point is taken: the curve's end.
+        // One more segment, of which only the first point is used: the curve's end.
         const Four window{at(i), at(i + 1), at(i + 2), at(i + 3)};
         const auto bezier =
             spline == Spline::bspline ? bspline_segment(window) : catmull_rom_segment(window);
@@ -74,8 +74,7 @@ PlaneCurve profile_curve(Spline spline, std::span<const Vec2d> points) {
     if (spline == Spline::linear || spline == Spline::bezier) {
         return {spline == Spline::linear ? 1 : 3, false, {points.begin(), points.end()}};
     }
-    // The window after the last reaches one past the end; its first three points decide what is
-    // taken.
+    // The window after the last one reaches past the end; only its first three points matter.
     const auto at = [&](std::size_t i) { return points[std::min(i, points.size() - 1)]; };
     return convert_windows(spline, points.size() - 3, at);
 }
@@ -87,7 +86,7 @@ PlaneCurve outline_curve(Spline spline, std::span<const Vec2d> points) {
         curve = {spline == Spline::linear ? 1 : 3, true, {points.begin(), points.end()}};
         curve.points.push_back(points.front());
     } else {
-        // The curve starts at, or beside, the first point: windows start one before it.
+        // The curve starts at or near the first point, so windows start one before it.
         const std::size_t n = points.size();
         const auto at = [&](std::size_t i) { return points[(i + n - 1) % n]; };
         curve = convert_windows(spline, n, at);
@@ -107,7 +106,7 @@ bool is_single_point(std::span<const Vec3d> points) {
 std::optional<CurvePoint> negative_radius(const PlaneCurve& profile) {
     double largest = 0.0;
     for (const Vec2d& p : profile.points) largest = std::max(largest, std::abs(p.x));
-    // A change of basis rounds a handful of times, each within half an ulp of the largest term.
+    // A change of basis has a few roundings, each within half an ulp of the largest term.
     const double rounding =
         profile.degree == 1 ? 0.0 : 8.0 * std::numeric_limits<double>::epsilon() * largest;
 
@@ -122,8 +121,8 @@ std::optional<CurvePoint> negative_radius(const PlaneCurve& profile) {
         look_at(i, 0.0);
         look_at(i, 1.0);
         if (profile.degree == 1) continue;
-        // Extremes of the cubic: roots of a(1-s)^2 + 2b s(1-s) + c s^2, the differences halved so
-        // that no intermediate overflows.
+        // The extremes of the cubic are the roots of a(1-s)^2 + 2b s(1-s) + c s^2. The differences
+        // are halved so that no intermediate overflows.
         const double a = c[1].x / 2 - c[0].x / 2;
         const double b = c[2].x / 2 - c[1].x / 2;
         const double d = c[3].x / 2 - c[2].x / 2;
@@ -131,7 +130,7 @@ std::optional<CurvePoint> negative_radius(const PlaneCurve& profile) {
         if (scale == 0.0) continue;
         const double discriminant = (b / scale) * (b / scale) - (a / scale) * (d / scale);
         if (discriminant < 0.0) continue;
-        // In the ratio x = s / (1 - s): d x^2 + 2 b x + a = 0, by the form that does not cancel.
+        // With x = s / (1 - s): d x^2 + 2 b x + a = 0, solved in the form without cancellation.
         const double q = -(b / scale + std::copysign(std::sqrt(discriminant), b));
         for (const auto& [num, den] : {std::pair{q, d / scale}, std::pair{a / scale, q}}) {
             const double sum = num + den;

@@ -1,5 +1,5 @@
-// The plane curves behind lathe and prism, in one form: linear or cubic Bezier segments with shared
-// joints. And the checks that tell a curve that can be drawn from one that cannot.
+// The plane curves of lathe and prism in one form: linear or cubic Bézier segments with shared
+// joints. Also checks whether a curve can be drawn.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,7 @@
 
 namespace lancer {
 
-/// A chain of Bezier segments. A joint is stored once, so that both its neighbours see the same
-/// bits.
+/// A chain of Bézier segments. A joint is stored once, so that both neighbours have the same bits.
 struct PlaneCurve {
     int degree = 1;             ///< of every segment: 1 or 3
     bool closed = false;        ///< an outline: the last point equals the first, bit for bit
@@ -30,41 +29,42 @@ struct PlaneCurve {
 };
 
 /// Whether `count` points make a profile: linear 2 or more, bezier 3n + 1, bspline and catmull_rom
-/// 4 or more (their first and last point only guide).
+/// 4 or more (their first and last points only guide the curve).
 bool is_profile_count(Spline spline, std::size_t count);
 
-/// Whether `count` points, the first not repeated at the end, make an outline: bezier 3n, else 3 or
-/// more.
+/// Whether `count` points, without a repetition of the first, make an outline: bezier 3n, others 3
+/// or more.
 bool is_outline_count(Spline spline, std::size_t count);
 
-/// The curve of an open profile. `points` must have a count that is_profile_count() accepts.
-/// Uniform B-spline and Catmull-Rom segments become Bezier segments by a change of basis
-/// (Farin, Curves and Surfaces for CAGD, 5th ed., sections 8.1 and 8.5), exact but for rounding.
+/// The curve of an open profile. is_profile_count() must accept the number of `points`. Uniform
+/// B-spline and Catmull-Rom segments become Bézier segments by a change of basis (Farin, Curves and
+/// Surfaces for CAGD, 5th ed., sections 8.1 and 8.5), exact up to rounding.
 PlaneCurve profile_curve(Spline spline, std::span<const Vec2d> points);
 
-/// The closed curve through, or guided by, a periodic outline. See is_outline_count().
+/// The closed curve of a periodic outline. See is_outline_count().
 PlaneCurve outline_curve(Spline spline, std::span<const Vec2d> points);
 
-/// All points the same: nothing to draw.
+/// Whether all points are equal: then there is nothing to draw.
 bool is_single_point(std::span<const Vec2d> points);
 bool is_single_point(std::span<const Vec3d> points);
 
-/// Where a curve stands.
+/// A point on a curve.
 struct CurvePoint {
     std::size_t segment = 0;
     double parameter = 0;  ///< 0..1 within the segment
     Vec2d point{0, 0};
 };
 
-/// The point of least x (radius) if that is negative by more than the rounding of the conversion.
+/// The point with the least x (radius) if that is negative by more than the rounding of the
+/// conversion.
 std::optional<CurvePoint> negative_radius(const PlaneCurve& profile);
 
-/// A lathe with this profile is a body: the curve's two ends are the same point, or both lie on the
+/// Whether a lathe with this profile is a body: the curve's two ends coincide, or both lie on the
 /// axis.
 bool encloses_space(const PlaneCurve& profile);
 
-/// Two parts of the curve that pass through each other, if there are any. Curves that only touch,
-/// or that run along each other, do not cross.
+/// A point where two parts of the curve cross, if there is one. Curves that only touch, or that run
+/// along each other, do not cross.
 std::optional<Vec2d> self_crossing(const PlaneCurve& outline);
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// The sRGB transfer curve, IEC 61966-2-1: what stands in an 8-bit file against light.
+// The sRGB transfer curve, IEC 61966-2-1, between encoded values and light.
 #pragma once
 
 #include <cstdint>

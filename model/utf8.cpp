@@ -9,7 +9,7 @@
 namespace lancer {
 namespace {
 
-/// Length of the valid sequence at the start of `text`; 0: there is none.
+/// The length of the valid sequence at the start of `text`; 0 when there is none.
 std::size_t sequence_length(std::string_view text) {
     const auto byte = [&](std::size_t i) -> unsigned {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
@@ -31,7 +31,7 @@ std::size_t sequence_length(std::string_view text) {
     return b >= low && b <= high && continues(2) && continues(3) ? 4 : 0;
 }
 
-/// Of a valid sequence.
+/// The code point of a valid sequence.
 std::uint32_t code_point(std::string_view sequence) {
     constexpr unsigned char first_bits[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
     std::uint32_t code = static_cast<unsigned char>(sequence[0]) & first_bits[sequence.size()];
@@ -40,13 +40,13 @@ std::uint32_t code_point(std::string_view sequence) {
     return code;
 }
 
-/// Controls, ends of lines, and marks that turn the direction of writing.
+/// Control characters, line separators, and marks that change the direction of writing.
 bool is_unseen(std::uint32_t code) {
     return (code >= 0x80 && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
            (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
-/// Eight bytes of ASCII without NUL.
+/// Whether all eight bytes are ASCII and none is NUL.
 bool is_plain(std::uint64_t bytes) {
     constexpr std::uint64_t tops = 0x8080808080808080;
     constexpr std::uint64_t ones = 0x0101010101010101;

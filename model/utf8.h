@@ -1,4 +1,4 @@
-// Is a text valid UTF-8, and what of it can be shown?
+// Checks whether text is valid UTF-8, and makes it printable.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 namespace lancer {
 
 /// The position of the first byte from `from` on that is NUL or not part of a valid UTF-8 sequence
-/// (overlong forms, surrogates and code points above U+10FFFF are not valid); npos if there is
+/// (overlong forms, surrogates and code points above U+10FFFF are invalid); npos when there is
 /// none. Source: The Unicode Standard, table 3-7.
 std::size_t find_invalid_utf8(std::string_view text, std::size_t from = 0);
 
-/// The text as it can stand in one line of a message: what would end the line, move the cursor or
-/// turn the direction of writing stands as an escape (`\n`, `\t`, `\x1b`, `\u202e`), and so does
-/// each byte that is not UTF-8 (`\xff`). A name with a backslash of its own stays as it is.
+/// The text in a form for one line of a message. Characters that would end the line, move the
+/// cursor or change the direction of writing become escapes (`\n`, `\t`, `\x1b`, `\u202e`), and so
+/// does each byte that is not UTF-8 (`\xff`). A backslash in a name is unchanged.
 std::string printable(std::string_view text);
 
-/// Code points in a valid UTF-8 text.
+/// The number of code points in a valid UTF-8 text.
 std::size_t count_characters(std::string_view text);
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// Numbers of a binary file, in either byte order.
+// Reads numbers of a binary file in either byte order.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace lancer::io {
 static_assert(std::endian::native == std::endian::little ||
               std::endian::native == std::endian::big);
 
-/// Walks over `bytes`, which must outlive it; `first` is their place in the file, for messages.
+/// Reads through `bytes`, which must outlive it. `first` is their offset in the file, for messages.
 class ByteReader {
   public:
     ByteReader(std::string_view bytes, std::string name, std::endian order, std::size_t first = 0)
@@ -26,7 +26,7 @@ class ByteReader {
           swap_(order != std::endian::native),
           first_(first) {}
 
-    /// The next value of an arithmetic type. Throws FileError when the file ends before.
+    /// The next value of an arithmetic type. Throws FileError when the file is too short.
     template <class Value>
     Value read() {
         if (bytes_left() < sizeof(Value)) throw error("the file is truncated");

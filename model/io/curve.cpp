@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Whether the samples of a TIFF's first picture are floats: its tag SampleFormat says so. Throws
-/// FileError for a file that ends too early.
+/// Whether the samples of a TIFF's first picture are floats, by its tag SampleFormat. Throws
+/// FileError when the file is too short.
 bool has_float_samples(std::string_view bytes) {
     constexpr std::uint16_t sample_format = 339;
     constexpr std::uint16_t big_version = 43;
@@ -40,7 +40,7 @@ bool has_float_samples(std::string_view bytes) {
             entries.skip(big ? 8 : 4);
             continue;
         }
-        // As many as fit stand in the entry itself.
+        // If all values fit, they are in the entry itself.
         if (2 * values > (big ? 8u : 4u)) entries = reader_at(read_offset(entries));
         return entries.read<std::uint16_t>() == 3;
     }
@@ -50,7 +50,7 @@ bool has_float_samples(std::string_view bytes) {
 }  // namespace
 
 std::string curve_of(const std::string& path) {
-    if (is_stream(path)) return {};  // it has been read
+    if (is_stream(path)) return {};  // it was read already
     const std::string bytes = read_file(path);
     const std::string_view view = bytes;
     if (is_png(view)) return png_curve(view);

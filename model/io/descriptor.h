@@ -1,4 +1,4 @@
-// An open file, and bytes that are written to it whole.
+// An open file, and a function that writes bytes to it completely.
 #pragma once
 
 #include <unistd.h>
@@ -12,7 +12,7 @@
 
 namespace lancer::io {
 
-/// Closed at the end of its scope; standard input is not.
+/// Closes the file at the end of its scope, except for standard input.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -27,7 +27,7 @@ class Descriptor {
     int number_;
 };
 
-/// Writes all bytes to that place of the file. Throws FileError, whose message names `path`.
+/// Writes all bytes at the offset `at`. Throws FileError, whose message names `path`.
 inline void write_all_at(int file, std::string_view bytes, std::uint64_t at,
                          const std::string& path) {
     while (!bytes.empty()) {

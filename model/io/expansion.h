@@ -1,4 +1,4 @@
-// Exact sums: the sign of an expression in doubles that rounding cannot spoil.
+// Exact sums: the sign of an expression in doubles, unaffected by rounding.
 //
 // J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
 // Predicates, Discrete & Computational Geometry 18 (1997), sections 2 and 4. Exact as long as no
@@ -13,7 +13,7 @@
 
 namespace lancer::io {
 
-/// A number as the sum of up to `Capacity` doubles that do not overlap, smallest first.
+/// A number as the sum of up to `Capacity` doubles that do not overlap, the smallest first.
 template <std::size_t Capacity>
 class Expansion {
   public:
@@ -48,7 +48,7 @@ class Expansion {
     std::size_t size_ = 0;
 };
 
-/// 1 when a, b, c turn left, -1 when they turn right, 0 when they are on one line. Exact.
+/// 1 when a, b, c turn left, -1 when they turn right, 0 when they are collinear. Exact.
 inline int orientation(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     const double left = (a.x - c.x) * (b.y - c.y);
     const double right = (a.y - c.y) * (b.x - c.x);
@@ -57,7 +57,7 @@ inline int orientation(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     if (std::abs(determinant) > 3.3306690738754716e-16 * (std::abs(left) + std::abs(right))) {
         return determinant > 0 ? 1 : -1;
     }
-    Expansion<12> sum;  // the determinant multiplied out, where c.x c.y cancels
+    Expansion<12> sum;  // the determinant expanded; c.x c.y cancels
     sum.add_product(a.x, b.y);
     sum.add_product(-a.x, c.y);
     sum.add_product(-c.x, b.y);

@@ -16,7 +16,7 @@
 namespace lancer::io {
 namespace {
 
-/// Pipes and devices do not say how long they are, and some never end.
+/// The limit for pipes and devices, which do not report a length; some never end.
 constexpr std::size_t limit_without_size = std::size_t(256) << 20;
 
 std::string folder_of(const std::string& path) {
@@ -24,7 +24,7 @@ std::string folder_of(const std::string& path) {
     return slash == std::string::npos ? "" : path.substr(0, slash + 1);
 }
 
-/// ".png" of "a/b.png": libraries choose the format of a temporary file by its name as well.
+/// The ending, ".png" for "a/b.png". Libraries choose the format of a temporary file by it, too.
 std::string ending_of(const std::string& path) {
     const std::string ending = std::filesystem::path(path).extension().string();
     return ending.size() <= 16 ? ending : "";

@@ -15,7 +15,7 @@ FileIdentity identity_in(const struct stat& status) {
     return {fmt::format("{}:{}", status.st_dev, status.st_ino), S_ISREG(status.st_mode)};
 }
 
-/// The end of a chain of links, or `path` itself when the chain never ends: then opening fails.
+/// The end of a chain of links, or `path` itself for a cycle, so that opening it fails.
 std::string target_of(const std::string& path) {
     try {
         return follow_links(path);

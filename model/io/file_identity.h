@@ -1,4 +1,4 @@
-// Which file a name leads to, so that two names can be told to be one file.
+// Tells whether two names belong to the same file.
 #pragma once
 
 #include <string>
@@ -6,16 +6,16 @@
 namespace lancer::io {
 
 struct FileIdentity {
-    /// Equal for two names of one file, through links of both kinds and through folders that are
-    /// mounted twice. A file that is not there yet is known by its folder and its name. Without
-    /// other meaning.
+    /// Equal for two names of one file, also through symbolic and hard links and through folders
+    /// that are mounted twice. A file that does not exist yet is identified by its folder and name.
+    /// The text has no other meaning.
     std::string key;
-    /// An ordinary file, or none yet. Devices and pipes have a key too, but what is written to them
-    /// does not replace what is read from them.
+    /// Whether this is an ordinary file, or none yet. Devices and pipes have a key, too, but output
+    /// to them does not replace the input from them.
     bool is_ordinary = true;
 };
 
-/// The file that is read or written when somebody opens `path`.
+/// The identity of the file that opening `path` would use.
 FileIdentity identity_of(const std::string& path);
 
 /// The same for an open descriptor, such as standard output.

@@ -9,8 +9,8 @@
 
 namespace lancer::io {
 
-// ITU-T T.81, annex B: segments with a marker and a length, then the scan. A thumbnail in one of
-// the segments has an end-of-image marker too, so they are walked over.
+// ITU-T T.81, annex B: segments with a marker and a length, then the scan. The segments are skipped
+// as a whole, because a thumbnail in one of them has an end-of-image marker, too.
 std::string jpeg_problem(std::string_view bytes) {
     constexpr const char* truncated = "the file is truncated";
     const auto byte = [&](std::size_t i) -> std::size_t {
@@ -28,7 +28,7 @@ std::string jpeg_problem(std::string_view bytes) {
         if (marker >= 0xC0 && marker <= 0xC2) {  // a frame with Huffman codes
             const std::uint64_t height = byte(at + 5) << 8 | byte(at + 6);
             const std::uint64_t width = byte(at + 7) << 8 | byte(at + 8);
-            // Each block of 8 x 8 pixels has a code of a bit or more, in progressive files too.
+            // Each block of 8 x 8 pixels has a code of at least one bit, also in progressive files.
             if (width * height / 64 > bytes.size() * 8) {
                 return fmt::format("the file is truncated: {} bytes cannot hold {} x {} pixels",
                                    bytes.size(), width, height);
@@ -36,7 +36,7 @@ std::string jpeg_problem(std::string_view bytes) {
         }
         at += 2 + length;
         if (marker == 0xDA) {
-            // In the scan itself 0xFF is always followed by a zero or a restart marker.
+            // Within the scan, 0xFF is always followed by a zero or a restart marker.
             const bool ends = bytes.find("\xFF\xD9", at) != std::string_view::npos;
             return ends ? std::string() : truncated;
         }
@@ -45,7 +45,7 @@ std::string jpeg_problem(std::string_view bytes) {
 }
 
 // OpenEXR File Layout: magic number, version, then attributes (name, type, length, value) up to an
-// empty name; a file of several parts has several such lists up to an empty one.
+// empty name. A file with several parts has several such lists, ended by an empty one.
 std::string exr_problem(std::string_view bytes) {
     constexpr const char* truncated = "the file is truncated";
     const auto integer = [&](std::size_t at) {
@@ -86,7 +86,7 @@ std::string exr_problem(std::string_view bytes) {
             }
             at = value + static_cast<std::size_t>(length);
         }
-    } catch (const FileError&) {  // a number beyond the end
+    } catch (const FileError&) {  // a number after the end of the file
     }
     return truncated;
 }

@@ -1,4 +1,4 @@
-// What the libraries behind the module do not notice, or only after taking gigabytes of memory.
+// Checks for damage that the picture libraries do not detect, or only after allocating gigabytes.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace lancer::io {
 
-/// Why these bytes are no whole JPEG file; empty when they are. libjpeg itself makes up what is
-/// missing from a truncated one, however much that is.
+/// Why these bytes are not a complete JPEG file; empty when they are. libjpeg itself fills in
+/// whatever is missing from a truncated file.
 std::string jpeg_problem(std::string_view bytes);
 
-/// Why the header of these bytes is none of an EXR file; empty when it is. OpenEXR trusts the
-/// lengths and the size that stand there.
+/// Why these bytes have no valid EXR header; empty when they do. OpenEXR trusts the lengths and
+/// sizes in the header.
 std::string exr_problem(std::string_view bytes);
 
 }  // namespace lancer::io

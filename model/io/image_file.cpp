@@ -23,7 +23,7 @@ std::string lower_case_ending(const std::string& path) {
     return ending;
 }
 
-/// The format that files with this ending have, by the name the module knows; empty: none.
+/// The format of files with this ending, as the module calls it; empty when there is none.
 std::string format_of_ending(const std::string& ending) {
     if (ending == "png" || ending == "ppm" || ending == "hdr") return ending;
     if (ending == "exr") return "openexr";
@@ -32,7 +32,7 @@ std::string format_of_ending(const std::string& ending) {
     return {};
 }
 
-/// The format of a file by its first bytes, whatever it is called; empty: none we read.
+/// The format of a file by its first bytes, whatever its name; empty when it is unknown.
 std::string format_of_bytes(std::string_view bytes) {
     using namespace std::string_view_literals;
     if (is_png(bytes)) return "png";

@@ -1,4 +1,4 @@
-// How large a picture may be, before memory is taken for it.
+// Limits on the size of pictures, checked before memory is allocated.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,10 +12,10 @@ namespace lancer::io {
 inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 27;
 inline constexpr std::uint64_t longest_side = std::uint64_t{1} << 17;
 inline constexpr int most_channels = 64;
-/// What a reader takes at once for a strip or tile: a whole picture of most_pixels in RGB floats.
+/// The most memory for a strip or tile: that of a whole picture of most_pixels in RGB floats.
 inline constexpr std::uint64_t most_strip_bytes = std::uint64_t{1} << 31;
 
-/// Why a picture of this size is not read; empty when it is fine.
+/// Why a picture of this size is refused; empty when it is allowed.
 inline std::string size_problem(std::uint64_t width, std::uint64_t height, int channels) {
     if (width == 0 || height == 0 || channels < 1) return "the picture has no pixels";
     if (channels > most_channels) {

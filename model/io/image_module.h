@@ -1,7 +1,7 @@
-// The seam to the shared library that knows the many image formats.
+// The interface of the shared library for most image formats.
 //
-// Debian's OpenImageIO pulls in 261 shared libraries, 0.3 s and 129 MB merely to be linked, so it
-// sits in a module of its own (module/), which the picture process loads at its first picture.
+// Linking Debian's OpenImageIO alone loads 261 shared libraries and costs 0.3 s and 129 MB. So it
+// is in a module of its own (module/), which the picture process loads at its first picture.
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@
 
 namespace lancer::io {
 
-/// read and write return why they failed, empty when they did not: exceptions other than those of
-/// the sink and of memory stay on their side of the seam. `format` is openexr, hdr, tiff or jpeg.
+/// `read` and `write` return the reason of a failure, or an empty text. No exceptions leave the
+/// module except those of the sink and std::bad_alloc. `format` is openexr, hdr, tiff or jpeg.
 struct ImageModule {
     std::string (*read)(std::string_view bytes, const std::string& format, PictureSink& sink);
     std::string (*write)(const StoredShape& shape, const void* pixels, const std::string& format,
                          PictureSink& sink);
-    /// The same row by row into an open file, from its beginning. The pictures are those that this
-    /// program made, so it may be called without a process of its own.
+    /// The same row by row into an open file, from its beginning. The pictures are always this
+    /// program's own, so it may be called without a separate process.
     std::string (*write_rows)(const StoredShape& shape, const RowsOf& rows,
                               const std::string& format, int file);
-    /// From now on this process, with the threads that it may yet start, opens no file and no
-    /// connection and starts no process, as far as the system can see to that.
+    /// From now on this process and its future threads cannot open files or connections and cannot
+    /// start processes, as far as the system can enforce that.
     void (*confine)();
 };
 
@@ -32,5 +32,5 @@ const ImageModule& image_module();
 
 }  // namespace lancer::io
 
-/// What the module exports.
+/// The function that the module exports.
 extern "C" const lancer::io::ImageModule* lancer_image_module();

@@ -10,8 +10,8 @@
 namespace lancer::io {
 namespace {
 
-/// Where the module may be: as installed (LANCER_MODULE_FOLDER is from the program's folder), in
-/// the build, or next to the program.
+/// The possible places of the module: as installed (LANCER_MODULE_FOLDER is relative to the
+/// program's folder), in the build, or beside the program.
 std::vector<std::filesystem::path> candidates() {
     const std::string name = "lancer_images.so";
     std::error_code error;
@@ -25,7 +25,7 @@ const ImageModule& load() {
     for (const std::filesystem::path& path : candidates()) {
         std::error_code error;
         if (!std::filesystem::exists(path, error)) continue;
-        void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays until the end
+        void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded until the end
         void* symbol = library != nullptr ? dlsym(library, "lancer_image_module") : nullptr;
         if (symbol != nullptr) {
             return *reinterpret_cast<decltype(&lancer_image_module)>(symbol)();

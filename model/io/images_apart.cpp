@@ -10,7 +10,7 @@
 namespace lancer::io {
 namespace {
 
-/// What the picture process made of `input`, in `output`. Throws FileError.
+/// Has the picture process work on `input`, and returns its result in `output`. Throws FileError.
 SharedResult worked(PictureTask task, const std::string& format, int input, int output,
                     const std::string& path) {
     std::string problem = work_on_picture(task, format, input, output);

@@ -1,4 +1,4 @@
-// Pictures of the formats that only the picture process reads and writes.
+// Reads and writes pictures in the formats that only the picture process handles.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace lancer::io {
 
-/// The picture in the file that is open as `input`. `format` as for work_on_picture(). Throws
-/// FileError, whose message names `path`.
+/// Reads the picture from the file that is open as `input`. `format` is that of work_on_picture().
+/// Throws FileError, whose message names `path`.
 Image read_apart(const std::string& path, const std::string& format, int input, ColorSpace space);
 
-/// The bytes of a file that shows `image`. Throws FileError, whose message names `path`.
+/// The bytes of a file with this image. Throws FileError, whose message names `path`.
 std::string encode_apart(const Image& image, const std::string& format, const std::string& path,
                          const ImageWriteOptions& options);
 

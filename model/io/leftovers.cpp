@@ -30,7 +30,7 @@ bool is_hexadecimal(char c) {
     return is_digit(c) || (c >= 'a' && c <= 'f');
 }
 
-/// Takes the letters that `belongs` accepts from the front of `rest`, and tells how many.
+/// Removes the leading letters that `belongs` accepts from `rest`, and returns their number.
 std::size_t skip(std::string_view& rest, bool (*belongs)(char)) {
     const auto end = std::find_if_not(rest.begin(), rest.end(), belongs);
     const auto count = static_cast<std::size_t>(end - rest.begin());
@@ -56,7 +56,7 @@ bool is_temporary_folder(std::string_view name) {
     return name.starts_with(folder_prefix) && name.size() == folder_prefix.size() + random_letters;
 }
 
-/// True the first time that it is asked about `folder`.
+/// True at the first call for `folder`.
 bool is_first_look(const std::string& folder) {
     static std::mutex mutex;
     static std::set<std::string> seen;
@@ -64,8 +64,8 @@ bool is_first_look(const std::string& folder) {
     return seen.insert(folder).second;
 }
 
-/// Calls `remove` for each entry of `folder` of this kind and name that is the user's own and that
-/// nobody uses, while the entry is locked.
+/// Calls `remove` for each entry of `folder` of this kind and name that belongs to the user and is
+/// not in use, while the entry is locked.
 void remove_unused(const std::string& folder, mode_t kind, bool (*is_ours)(std::string_view),
                    void (*remove)(const fs::path&)) {
     std::error_code error;

@@ -42,7 +42,7 @@ class MtlReader {
         return bytes.starts_with(byte_order_mark) ? bytes.substr(byte_order_mark.size()) : bytes;
     }
 
-    /// Reads a statement and its line's end.
+    /// Reads a statement up to the end of its line.
     void statement(const std::string& keyword, MtlMaterial& material) {
         if (keyword == "map_Kd") {
             image(material);
@@ -82,13 +82,13 @@ class MtlReader {
 
     void opacity(MtlMaterial& material) {
         if (scanner_.next_word_begins('-') &&
-            !scanner_.next_is_number()) {  // -halo: by the angle of view
+            !scanner_.next_is_number()) {  // -halo depends on the angle of view
             skip("d " + quotable(scanner_.word()));
         }
         material.opacity = share("an opacity");
     }
 
-    /// Three numbers, or one for all; spectral curves and CIE colours are skipped.
+    /// Three numbers, or one for all three; spectral curves and CIE colours are skipped.
     void color(const std::string& keyword, std::optional<Color>& target) {
         if (scanner_.next_word_begins('s') || scanner_.next_word_begins('x')) {
             skip(keyword + " " + quotable(scanner_.word()));
@@ -110,7 +110,7 @@ class MtlReader {
         while (scanner_.next_word_begins('-')) {
             const std::string option(scanner_.word());
             skip("map_Kd " + quotable(option));
-            // -o, -s and -t take up to three numbers, -mm two; the others a word.
+            // -o, -s and -t take up to three numbers, -mm two; the other options take a word.
             if (option == "-o" || option == "-s" || option == "-t" || option == "-mm") {
                 while (scanner_.next_is_number()) scanner_.any_number("a number");
             } else {

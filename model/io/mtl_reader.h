@@ -1,4 +1,4 @@
-// Wavefront MTL: the materials of an OBJ file.
+// Reads Wavefront MTL: the materials of an OBJ file.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace lancer::io {
 
-/// A material as the file has it; what it does not say is empty.
+/// A material as in the file; values that the file does not give are empty.
 struct MtlMaterial {
     std::string name;
     std::optional<Color> ambient, diffuse, specular, emission;  ///< Ka, Kd, Ks, Ke
@@ -28,8 +28,8 @@ struct MtlFile {
 };
 
 /// Reads Kd, Ka, Ks, Ke, Ns, Ni, d, Tr, illum and map_Kd (Wavefront, Advanced Visualizer manual,
-/// appendix B2; Ke is everybody's addition). Numbers out of a statement's range are brought into
-/// it. Throws FileError naming `name` and the line for a number that is none or not finite, and for
+/// appendix B2; Ke is a common extension). Numbers outside of a statement's range are clamped.
+/// Throws FileError, which names `name` and the line, for an invalid or non-finite number, and for
 /// a statement before the first `newmtl`.
 MtlFile read_mtl(std::string_view bytes, const std::string& name);
 

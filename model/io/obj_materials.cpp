@@ -12,7 +12,7 @@
 namespace lancer::io {
 namespace {
 
-/// A name in `file`, as a path. `-`, which would be standard input, is a file like others here.
+/// The path of a name in `file`. Here `-` is an ordinary file name, not standard input.
 std::string beside(const std::string& file, std::string name) {
     std::replace(name.begin(), name.end(), '\\', '/');
     const std::string path =
@@ -51,7 +51,7 @@ class MaterialFinder {
                 missing += (missing.empty() ? "'" : ", '") + quotable(name) + "'";
             }
         }
-        // What a library that cannot be read would have held was said with it.
+        // The warning about a library that could not be read covers its materials.
         if (!missing.empty() && all_read_)
             found_.warnings.push_back(
                 fmt::format("{}: no library contains these materials: {}", mesh_, missing));
@@ -59,7 +59,7 @@ class MaterialFinder {
     }
 
   private:
-    /// One name with blanks, or several names.
+    /// The names are tried as one name with blanks, then as several names.
     void read_all(const LibraryStatement& statement) {
         std::string problem;
         if (read(statement.names, problem)) return;

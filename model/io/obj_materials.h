@@ -1,4 +1,4 @@
-// The materials of an OBJ file, looked up in the libraries that it names.
+// Finds the materials of an OBJ file in the libraries that it names.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,19 @@
 namespace lancer::io {
 
 struct ObjMaterials {
-    /// One for each of LoadedMesh::materials; empty where no library has it. Paths of images are
-    /// those that a file is opened by.
+    /// One for each of LoadedMesh::materials; empty when no library has it. Image paths can be
+    /// opened as they are.
     std::vector<std::optional<MtlMaterial>> materials;
-    /// What could not be read, found or understood, one sentence each with the file.
+    /// What could not be read, found or understood, one sentence each, with the file.
     std::vector<std::string> warnings;
 };
 
-/// Reads the file of a path. Throws FileError.
+/// Reads the file with this path. Throws FileError.
 using ReadFile = std::function<std::string(const std::string& path)>;
 
-/// Reads the libraries of a mesh that was loaded from `path`: names are relative to its folder,
-/// those of images to their library's. The first library that has a material gives it.
+/// Reads the libraries of a mesh that was loaded from `path`. Their names are relative to its
+/// folder; image names are relative to the library's. The first library that defines a material is
+/// used.
 ObjMaterials find_materials(const LoadedMesh& loaded, const std::string& path,
                             const ReadFile& read_file);
 

@@ -1,6 +1,6 @@
-// Our own reader, because the libraries we know accept nearly anything: tinyobjloader 2.0 reads
-// `v 1 abc 2` as (1, 0, 2) and `v nan 0 0` without a word, and a reference must not render a file
-// that it did not understand. docs/files.md has the measurements.
+// We have a reader of our own because the known libraries accept nearly anything: tinyobjloader 2.0
+// reads `v 1 abc 2` as (1, 0, 2) and accepts `v nan 0 0` without a message. A reference renderer
+// must not render a file that it did not understand. docs/files.md has the measurements.
 #include "model/io/obj_reader.h"
 
 #include <fmt/format.h>
@@ -15,8 +15,7 @@
 namespace lancer::io {
 namespace {
 
-/// Statements that say nothing about triangles: groups, points and lines, curves and surfaces in
-/// free form.
+/// Statements without triangles: groups, points and lines, free-form curves and surfaces.
 constexpr std::array<std::string_view, 38> skipped_statements{
     "bevel",  "bmat",   "bsp",  "bzp",   "c_interp",  "call", "cdc",    "cdp", "con",  "csh",
     "cstype", "ctech",  "curv", "curv2", "d_interp",  "deg",  "end",    "g",   "hole", "l",
@@ -75,16 +74,15 @@ class ObjReader {
 
     using Bad = std::map<std::uint32_t, std::string>;
 
-    /// Remembers a number that is not finite, and where it stands: an error where it is used.
+    /// Records a number that is not finite, with its place. It is an error only where it is used.
     void note_bad(bool finite, const char* what, std::size_t index, Bad& bad) {
         if (!finite)
             bad.emplace(static_cast<std::uint32_t>(index),
                         scanner_.error(fmt::format("{} is not finite", what)).what());
     }
 
-    /// Three numbers more are a colour, in linear light as they stand; one more is a weight.
-    /// Vertices without a colour beside others with one are white, and the first of them is a
-    /// warning.
+    /// Three more numbers are a colour in linear light; a single one is a weight. If only some
+    /// vertices have a colour, the others are white, and the first of them causes a warning.
     void vertex() {
         const Vec3d place = coordinates("a coordinate", soup_.vertices, soup_.bad_vertices);
         std::array<double, 3> more{};
@@ -110,7 +108,7 @@ class ObjReader {
         soup_.vertices.push_back(place);
     }
 
-    /// More may follow in the same line; it is checked to be numbers all the same.
+    /// More numbers may follow on the line; they are only checked.
     Vec3d vector(const char* what, const std::vector<Vec3d>& list, Bad& bad) {
         const Vec3d read = coordinates(what, list, bad);
         while (!scanner_.at_line_end()) scanner_.any_number("a number");
@@ -126,8 +124,8 @@ class ObjReader {
         return read;
     }
 
-    /// `f 1 2 3`, `f 1/1 2/2 3/3`, `f 1//1 2//2 3//3`, `f 1/1/1 2/2/2 3/3/3`; what stands behind no
-    /// slash, or behind one alone (`1//`, `1/1/`), is not given.
+    /// `f 1 2 3`, `f 1/1 2/2 3/3`, `f 1//1 2//2 3//3`, `f 1/1/1 2/2/2 3/3/3`. An index is missing
+    /// when nothing follows its slash (`1//`, `1/1/`) or when there is no slash.
     void face() {
         const std::size_t begin = soup_.corners.size();
         soup_.face_lines.push_back(scanner_.line());
@@ -148,13 +146,14 @@ class ObjReader {
             throw scanner_.error("a face needs at least three corners");
         }
         soup_.face_ends.push_back(soup_.corners.size());
-        // Only a file that names materials pays for them.
+        // Only files with materials need this list.
         if (soup_.materials.empty()) return;
         soup_.face_materials.resize(soup_.face_ends.size() - 1, none);
         soup_.face_materials.push_back(material_);
     }
 
-    /// Up to the end of the line or a comment, without the blanks around. Names may hold blanks.
+    /// The text up to the end of the line or a comment, without surrounding blanks. Names may
+    /// contain blanks.
     std::string rest_of_statement() {
         std::string rest;
         while (!scanner_.at_line_end())
@@ -171,7 +170,8 @@ class ObjReader {
         if (is_new) soup_.materials.push_back(name);
     }
 
-    /// An index from 0. One that is too large is found later: a file may give its faces first.
+    /// The index counted from 0. An index that is too large is found later, because a file may list
+    /// its faces first.
     std::uint32_t index(std::int64_t number, std::size_t count, const char* what) const {
         const std::int64_t index =
             number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
@@ -182,16 +182,16 @@ class ObjReader {
         return static_cast<std::uint32_t>(index);
     }
 
-    /// The index of a texture vertex or normal, `none` where none is given.
+    /// The index of a texture vertex or normal; `none` when it is missing.
     std::uint32_t optional_index(std::size_t count, const char* what) {
         if (scanner_.at_word_end() || scanner_.next_is('/')) return none;
         const std::int64_t number = scanner_.integer(what);
-        // Back from the end of a list that may be missing from the file altogether.
+        // A relative index into a list that the file may not have at all.
         if (number < 0 && count == 0) return before_the_first;
         return index(number, count, what);
     }
 
-    /// The list stays empty until something stands in it, as in most files it never does.
+    /// Most files never use the list, so it stays empty until it gets its first index.
     void append(std::vector<std::uint32_t>& corners, std::uint32_t index) {
         if (index == none && corners.empty()) return;
         corners.resize(soup_.corners.size() - 1, none);

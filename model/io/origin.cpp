@@ -17,7 +17,7 @@ constexpr std::string_view seal_line = "seal ";
 constexpr std::size_t end_chunk = 12;  // IEND, the last of a PNG
 constexpr std::size_t checksum = 4;
 
-/// What stands behind `key` on the next line of `text`, which is taken off.
+/// Takes the next line off `text` and returns what follows `key` on it.
 std::optional<std::string> line(std::string_view& text, std::string_view key) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos || !text.starts_with(key)) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<std::string> line(std::string_view& text, std::string_view key) {
     return value;
 }
 
-/// Where a PNG's last chunk before its end begins; nothing when that holds no origin.
+/// The begin of a PNG's last chunk before its end; nothing when that chunk holds no origin.
 std::optional<std::size_t> origin_chunk(std::string_view png) {
     const std::string mark = "tEXt" + std::string(keyword) + '\0';
     const std::size_t found = png.rfind(mark);
@@ -34,13 +34,13 @@ std::optional<std::size_t> origin_chunk(std::string_view png) {
     return found - 4;
 }
 
-/// The note that makes room for both in an EXR.
+/// The note that reserves room in an EXR for the origin and the digest.
 std::pair<std::string, std::string> note_of(const Origin& origin) {
     return {std::string(keyword.substr(keyword.find(':') + 1)),
             to_text(origin) + std::string(seal_line) + std::string(sha256_digits, '0')};
 }
 
-/// Where the digest stands in an EXR that was written with its note, and the origin.
+/// The place of the digest in an EXR that was written with its note, and the origin.
 struct Place {
     std::size_t digits;
     Origin origin;
@@ -58,7 +58,7 @@ std::optional<Place> place_in_exr(std::string_view exr) {
     return Place{seal + seal_line.size(), *origin};
 }
 
-/// The encoded file with its origin and the digest; an EXR was written with the note.
+/// The encoded file with its origin and digest. An EXR must have been written with the note.
 std::string with_origin(std::string bytes, const Origin& origin) {
     if (is_png(bytes)) {
         const std::string text = to_text(origin);
@@ -119,7 +119,8 @@ std::optional<Origin> origin_of_picture(std::string bytes) {
     const std::optional<Origin> origin =
         origin_of_text(std::string_view(bytes).substr(begin, seal - begin));
     if (!origin) return std::nullopt;
-    // The file as it was before the chunk came, put together again: its length and checksum count.
+    // Restores the file without the chunk and adds the chunk again: so its length and checksum are
+    // compared, too.
     std::string bare = bytes;
     bare.erase(*chunk, end + checksum - *chunk);
     return with_origin(std::move(bare), *origin) == bytes ? origin : std::nullopt;

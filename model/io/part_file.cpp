@@ -16,7 +16,7 @@
 namespace lancer::io {
 namespace {
 
-/// Fills `bytes` from there on; false at the end of the file.
+/// Fills `bytes` from the offset `at` on; false at the end of the file.
 bool read_at(int file, std::string& bytes, std::uint64_t at, const std::string& path) {
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t count =
@@ -94,7 +94,7 @@ struct PartReader::State {
         digest.add(sealed_text(head));
     }
 
-    /// What another run writes in between shows in the digest.
+    /// If another run writes in between, the digest will differ.
     void open_file() {
         file = std::make_unique<Descriptor>(open(path.c_str(), O_RDONLY | O_CLOEXEC));
         if (file->number() < 0) throw system_error("cannot read", path, errno);

@@ -1,4 +1,4 @@
-// Parts of a picture as files: written strip by strip, read row by row.
+// Part files: written strip by strip, read row by row.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace lancer::io {
 
-/// Writes a part atomically, without ever holding more than one strip. `draw` gives the strips in
-/// turn, in linear light, of the width and the channels that the head tells. Throws FileError, and
-/// what `draw` throws.
+/// Writes a part atomically; holds at most one strip at a time. `draw` returns the strips in turn,
+/// in linear light, with the width and the channels of the head. Throws FileError, and what `draw`
+/// throws.
 void write_part(const std::string& path, const PartHead& head,
                 const std::function<Image(const Strip&)>& draw);
 
-/// A part whose rows are read from the top. The file is open only while a strip of it is read: a
+/// Reads the rows of a part from the top. The file is open only while a strip is read, because a
 /// picture may have more parts than a process may have open files.
 class PartReader {
   public:
-    /// Throws FileError when the file cannot be read, is no part, or has not the size and the head
-    /// that such a part has.
+    /// Throws FileError when the file cannot be read, is not a part, or differs from such a part in
+    /// size or head.
     explicit PartReader(const std::string& path);
     ~PartReader();
     PartReader(const PartReader&) = delete;
@@ -28,10 +28,10 @@ class PartReader {
 
     const PartHead& head() const;
     const std::string& path() const;
-    /// The next row, as many doubles as it has values. Throws FileError when it is damaged.
+    /// Reads the next row into as many doubles as it has values. Throws FileError when it is
+    /// damaged.
     void read_row(double* pixels);
-    /// To be called after the last row: throws FileError when the digest is not that of what has
-    /// been read.
+    /// To be called after the last row. Throws FileError when the digest of the rows read is wrong.
     void finish();
 
   private:
@@ -39,7 +39,7 @@ class PartReader {
     std::unique_ptr<State> state_;
 };
 
-/// Reads all of a part. Throws FileError when it is none, or damaged.
+/// Reads a whole part. Throws FileError when it is damaged or not a part.
 PartHead checked_part(const std::string& path);
 
 }  // namespace lancer::io

@@ -17,7 +17,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr int most_strip_rows = 16;  // the renderer's tiles
-constexpr int least_strips = 4;      // of a part, so that costly rows are shared
+constexpr int least_strips = 4;      // for each part, so that costly rows are shared
 
 // The file layout is that of https://openexr.com/en/latest/OpenEXRFileLayout.html, with several
 // parts. Numbers are little-endian.
@@ -48,7 +48,7 @@ struct Channel {
     bool exact;  ///< what is missing to the double
 };
 
-/// In the order of their names, as the format wants them.
+/// Sorted by name, as the format requires.
 std::vector<Channel> channels_of(const PartHead& head) {
     std::vector<Channel> channels;
     for (int c = 0; c < 3; ++c) {
@@ -130,8 +130,8 @@ bool two_numbers(std::string_view text, int& a, int& b) {
     return true;
 }
 
-/// What a double has beyond the nearest float, counted in its own last places. 0 where a float has
-/// no such digits: there both are infinite, or both round to the same.
+/// The remainder of a double after rounding to float, in units of its last place. 0 where the float
+/// has no such digits: there both are infinite, or both round to the same.
 std::int32_t beyond(double value, float rounded) {
     if (!std::isfinite(rounded)) return 0;
     const std::int64_t distance = std::bit_cast<std::int64_t>(value) -
@@ -266,7 +266,7 @@ void decode_row(const PartHead& head, const std::string& bytes, double* pixels) 
     const int channels = head.channels();
     const std::size_t width = static_cast<std::size_t>(head.width);
     std::vector<float> rounded(width);
-    // The floats of a colour come before what is exact of it: capitals before small letters.
+    // The floats of a colour come before its exact channels: capitals sort before small letters.
     for (const bool exact : {false, true}) {
         for (std::size_t c = 0; c < order.size(); ++c) {
             if (order[c].exact != exact) continue;

@@ -1,9 +1,9 @@
-// How a part of a picture stands in its file: an EXR with one part for each of its strips, without
-// compression, so that every row has its place before the first is drawn.
+// The file layout of a part: an EXR with one EXR part for each of its strips, uncompressed, so that
+// the place of every row is known before the first is drawn.
 //
-// Beside the 32-bit floats of an EXR the colours have channels `exact.R`, `exact.G` and `exact.B`
-// of whole numbers, which hold what a double has beyond a float: a PNG that parts are joined to is
-// rounded once, as that of the whole picture is.
+// In addition to the 32-bit floats of an EXR, the colours have channels `exact.R`, `exact.G` and
+// `exact.B` of integers, which hold the remainder of a double after rounding to float. So a PNG
+// joined from parts is rounded once, like that of the whole picture.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@
 
 namespace lancer::io {
 
-/// Rows of the picture, from its top.
+/// A range of rows of the picture, counted from its top.
 struct Strip {
     int first = 0;
     int rows = 0;
 };
 
-/// What a part says of itself.
+/// The header of a part.
 struct PartHead {
     int number = 1;  ///< from 1
     int count = 1;   ///< of all parts
@@ -30,28 +30,28 @@ struct PartHead {
     int height = 0;
     std::vector<std::string> extra_names;  ///< as in Image; without blanks
     Origin origin;
-    /// What `join` needs beside the pixels, known when the first row is written; no line feed.
+    /// Data for `join` beside the pixels, known when the first row is written; without line feeds.
     std::string note{};
 
     int channels() const { return 3 + static_cast<int>(extra_names.size()); }
 };
 
-/// The strips of a part, which are dealt to the parts in turn: work is seldom spread evenly over a
-/// picture. Four and more for each part where the picture has as many rows.
+/// The strips of a part. Strips are dealt to the parts in turn, because work is seldom spread
+/// evenly over a picture. Each part gets at least four if the picture has enough rows.
 std::vector<Strip> strips_of(const PartHead& head);
 
-/// A pixel's bytes in a part: three exact values, and the others as floats.
+/// The bytes of a pixel in a part: three exact values, and the floats of all channels.
 std::size_t pixel_bytes(const PartHead& head);
-/// What stands before each row: the number of its strip, the row, and its length.
+/// The bytes before each row: the number of its strip, the row, and its length.
 std::string row_head(const PartHead& head, int strip, int row);
 
-/// What the digest of a part begins with, before its rows.
+/// The text with which the digest of a part begins, before its rows.
 std::string sealed_text(const PartHead& head);
-/// All that stands before the first row. `seal` is the digest.
+/// All bytes before the first row. `seal` is the digest.
 std::string file_head(const PartHead& head, const std::string& seal);
 
-/// What file_head() tells, and the digest; `begin` is the file's first most_head_text bytes.
-/// Nothing when it is not of a part. Not proven: the rest of the head has to be compared.
+/// The content of file_head(), and the digest; `begin` is the file's first most_head_text bytes.
+/// Nothing when it is not a part. This is no proof: the rest of the head must be compared.
 struct ToldHead {
     PartHead head;
     std::string seal;
@@ -59,7 +59,7 @@ struct ToldHead {
 std::optional<ToldHead> told_head(std::string_view begin);
 inline constexpr std::size_t most_head_text = 1 << 16;
 
-/// One row, from doubles as in Image and back.
+/// Encode one row of doubles as in Image, and decode it.
 void encode_row(const PartHead& head, const double* pixels, std::string& bytes);
 void decode_row(const PartHead& head, const std::string& bytes, double* pixels);
 

@@ -15,7 +15,7 @@ namespace lancer::io {
 
 namespace {
 
-/// A side of the picture; white space may be before it.
+/// A side of the picture; white space may precede it.
 int side(TextScanner& scanner, const char* what) {
     scanner.at_end();
     const std::int64_t value = scanner.integer(what);
@@ -64,7 +64,7 @@ Image decode_pfm(std::string_view bytes, const std::string& name) {
     const int height = side(scanner, "the height");
     scanner.at_end();
     const double scale = scanner.number("the scale, which is negative for little-endian floats");
-    // Programs do not agree whether another number multiplies or divides.
+    // For other numbers, programs disagree whether to multiply or to divide.
     if (std::abs(scale) != 1)
         throw scanner.error(fmt::format("the scale is {:g}, but must be 1 or -1", scale));
     const std::string excess = size_problem(static_cast<std::uint64_t>(width),
@@ -72,8 +72,8 @@ Image decode_pfm(std::string_view bytes, const std::string& name) {
     if (!excess.empty()) throw scanner.error(excess);
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                               static_cast<std::size_t>(channels);
-    // The header ends with one byte of white space, or two where lines end with CR and LF. Were
-    // bytes missing or left over, nobody could tell where the floats begin.
+    // The header ends with one byte of white space, or two if lines end with CR and LF. If bytes
+    // were missing or left over, the begin of the floats would be unknown.
     std::string_view raster = bytes.substr(bytes.size() - scanner.bytes_left());
     const std::size_t ending = raster.starts_with("\r\n") ? 2 : 1;
     if (raster.size() != ending + 4 * count)

@@ -1,4 +1,4 @@
-// Portable float maps, a picture of floats that any language writes in ten lines (netpbm: pfm(5)).
+// Portable float maps: pictures of floats that are easy to write in any language (netpbm: pfm(5)).
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace lancer::io {
 
 bool is_pfm(std::string_view bytes);
 
-/// `count` channels (1 or 3) of an image, from `first` on: "PF" (three) or "Pf" (one), width and
-/// height, "-1.0" for little-endian; then 32-bit floats, the bottom row first.
+/// Encodes `count` channels (1 or 3) of an image, from `first` on: "PF" (three) or "Pf" (one),
+/// width and height, "-1.0" for little-endian, then 32-bit floats, the bottom row first.
 std::string encode_pfm(const Image& image, int first, int count);
 
-/// 1 channel or 3, linear light. Throws FileError naming `name`.
+/// 1 or 3 channels in linear light. Throws FileError, which names `name`.
 Image decode_pfm(std::string_view bytes, const std::string& name);
 
 }  // namespace lancer::io

@@ -1,4 +1,4 @@
-// Which format a picture file has, and its bytes before they are in a file.
+// The format of a picture file, and its encoded bytes.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace lancer::io {
 
-/// The format to write, by the name that the image module knows: by the ending of the name; PNG for
-/// a device or pipe that has none. Empty for other endings.
+/// The format for writing, as the image module calls it, by the ending of the name. PNG for a
+/// device or pipe without an ending. Empty for other endings.
 std::string format_of_name(const std::string& path);
 
 /// The bytes that write_image() would write. Throws FileError.

@@ -1,4 +1,4 @@
-// A file on its way to the decoder that its first bytes ask for.
+// Opens a picture file for the decoder that its first bytes require.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ class PictureInput {
     PictureInput(const PictureInput&) = delete;
     PictureInput& operator=(const PictureInput&) = delete;
 
-    /// Its first bytes: enough to tell its format.
+    /// The first bytes: enough to determine the format.
     std::string_view start() const { return file_ < 0 ? std::string_view(bytes_) : start_; }
-    /// All of it.
+    /// All bytes.
     std::string bytes() const;
-    /// All of it, for another process to read.
+    /// A descriptor of all bytes, for another process.
     int descriptor();
 
   private:

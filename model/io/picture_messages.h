@@ -1,5 +1,5 @@
-// What the program and its picture process say to each other, over a socket that keeps messages
-// whole.
+// The messages between the program and its picture process, over a socket that preserves message
+// boundaries.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace lancer::io {
 
-/// Comes with two descriptors: input and output.
+/// Sent with two descriptors: input and output.
 struct PictureRequest {
     PictureTask task{};
     std::array<char, 16> format{};  ///< ends with a zero
@@ -29,7 +29,7 @@ struct PictureReply {
     std::array<char, 1024> text{};
 };
 
-/// The exit code of a process that had not enough memory.
+/// The exit code of a process that ran out of memory.
 inline constexpr int out_of_memory = 12;
 
 /// The word on the command line that makes the program a picture process.

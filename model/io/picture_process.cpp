@@ -31,20 +31,21 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return out;
 }
 
-/// This process's variables; libraries that come along with the picture library need no threads.
+/// The environment of this process. Libraries that the picture library loads must not start
+/// threads.
 std::vector<std::string> variables() {
     std::vector<std::string> out{"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1"};
     for (char** entry = environ; *entry != nullptr; ++entry) out.emplace_back(*entry);
     return out;
 }
 
-/// Starts `program` as a picture process with `socket` as its standard input and nothing else open.
-/// Returns an error number.
+/// Starts `program` as a picture process with `socket` as its standard input and no other open
+/// file. Returns an error number.
 int spawn(const std::string& program, int socket, pid_t& process) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
-    // What the libraries print is for nobody: their reasons come back in words.
+    // The output of libraries is discarded: their reasons are returned as text.
     for (const int output : {STDOUT_FILENO, STDERR_FILENO})
         posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
@@ -68,8 +69,8 @@ int spawn(const std::string& program, int socket, pid_t& process) {
     return failed;
 }
 
-/// The picture process, from the first picture to the end of the program. It ends when it finds
-/// nobody at the other end of its socket.
+/// The picture process, from the first picture to the end of the program. It ends when the other
+/// end of its socket is closed.
 class PictureProcess {
   public:
     ~PictureProcess() { stop(); }

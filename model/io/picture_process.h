@@ -1,9 +1,9 @@
-// Libraries for pictures run in a process of their own, where a file that breaks them breaks
-// nothing else.
+// Runs picture libraries in a separate process, so that a file that crashes them harms nothing
+// else.
 //
-// The process is this program, started again when the first such picture is met (picture_server.h).
-// It makes a copy of itself for each picture; that copy may read one descriptor and write another,
-// open nothing, and use as much memory and time as PictureLimits allow.
+// The process is this program, started again for the first such picture (picture_server.h). It
+// forks for each picture. The forked process may read one descriptor and write another, cannot open
+// files, and is limited in memory and time by PictureLimits.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace lancer::io {
 
-/// What the work on one picture may cost.
+/// Limits on the work on one picture.
 struct PictureLimits {
     std::uint64_t memory = 4096;  ///< MiB, for the library and again for the pixels
-    std::uint64_t seconds = 60;   ///< of a processor, plus one for each MiB that is given to it
+    std::uint64_t seconds = 60;   ///< of processor time, plus one for each MiB of input
 };
 
-/// From now on, for all threads.
+/// Sets the limits for all threads from now on.
 void set_picture_limits(const PictureLimits& limits);
 
-/// The program to start; without this call it is the one called `lancer` in the folder of the
-/// running one, as it stands for tests. The command line names itself.
+/// Sets the program to start. Without this call it is the file `lancer` in the folder of the
+/// running program, which suits tests. The command line program sets itself.
 void set_picture_program(const std::filesystem::path& program);
 
 enum class PictureTask : std::uint32_t { read = 1, write };
 
 /// Has the picture process read `input`, a file, or write `input`, a picture of a SharedSink, into
-/// `output`, a SharedMemory that is empty. `format` is openexr, hdr, tiff or jpeg. Returns why that
-/// failed, whatever happened there; empty: `output` holds what read_shared() reads. Any thread.
+/// `output`, an empty SharedMemory. `format` is openexr, hdr, tiff or jpeg. Returns the reason of
+/// any failure; empty: read_shared() can read `output`. Thread-safe.
 std::string work_on_picture(PictureTask task, const std::string& format, int input, int output);
 
 }  // namespace lancer::io

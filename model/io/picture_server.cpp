@@ -32,7 +32,7 @@ PictureReply reply_of(Kind kind, int number, const std::string& text = "") {
     return reply;
 }
 
-/// Two descriptors that came with a request; closed at the end.
+/// The two descriptors of a request; closed by the destructor.
 struct Descriptors {
     int input = -1;
     int output = -1;
@@ -45,7 +45,7 @@ struct Descriptors {
     }
 };
 
-/// False at the end.
+/// Receives a request; false when the socket is closed.
 bool receive(int socket, PictureRequest& request, Descriptors& descriptors) {
     iovec part{&request, sizeof request};
     int received[2];
@@ -70,7 +70,7 @@ bool receive(int socket, PictureRequest& request, Descriptors& descriptors) {
     return true;
 }
 
-/// Processes that end are read from a descriptor, so that one call waits for them and the socket.
+/// Reads the end of processes from a descriptor, so that one call can wait for them and the socket.
 class EndedProcesses {
   public:
     EndedProcesses() {
@@ -95,12 +95,13 @@ class EndedProcesses {
     int descriptor_ = -1;
 };
 
-/// Waits for `worker`, and kills it when its time is over or when nobody is left at the other end.
+/// Waits for `worker`. Kills it when its time is over or when the other end of the socket is
+/// closed.
 PictureReply wait_for(pid_t worker, std::uint64_t seconds, int socket,
                       const EndedProcesses& ended) {
     using Clock = std::chrono::steady_clock;
-    // Its processor time is bounded by the system. The clock on the wall, which a busy machine does
-    // not stop, is for one that waits for nothing.
+    // The system limits its processor time. The wall clock, which runs on even on a busy machine,
+    // limits a process that only waits.
     const auto deadline = Clock::now() + std::chrono::seconds(2 * seconds);
     bool killed = false;
     int status = 0;

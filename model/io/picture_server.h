@@ -1,11 +1,10 @@
-// The other side of picture_process.h: what the program does when it was started to work on
-// pictures.
+// The picture process's side of picture_process.h.
 #pragma once
 
 namespace lancer::io {
 
-/// Serves the requests that come over `socket` until the other end closes it. Each is worked on in
-/// a process of its own. False when `socket` is none: somebody else started the program.
+/// Serves the requests from `socket` until the other end closes it, each in a process of its own.
+/// False when `socket` is not a socket: somebody else started the program.
 bool serve_pictures(int socket);
 
 }  // namespace lancer::io

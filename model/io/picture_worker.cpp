@@ -19,7 +19,7 @@
 namespace lancer::io {
 namespace {
 
-/// At `value` the system says what is wrong, at `value` + `grace` it ends the process.
+/// At `value` the system sends a signal, at `value` + `grace` it kills the process.
 void limit(__rlimit_resource resource, std::uint64_t value, std::uint64_t grace = 0) {
     rlimit bounds{};
     getrlimit(resource, &bounds);
@@ -28,7 +28,7 @@ void limit(__rlimit_resource resource, std::uint64_t value, std::uint64_t grace 
     setrlimit(resource, &bounds);
 }
 
-/// Bytes of memory that this process has for itself already.
+/// The bytes of private memory that this process already has.
 [[maybe_unused]] std::uint64_t data_bytes() {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {
@@ -45,7 +45,7 @@ void limit_resources(const PictureRequest& request) {
 #ifndef LANCER_SANITIZED
     limit(RLIMIT_DATA, data_bytes() + request.memory);
 #endif
-    // A crash is for nobody's debugger, and a handler that came with a library is not to hide it.
+    // A crash must not leave a core dump for a debugger, and no handler of a library may hide it.
     for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGXFSZ, SIGCHLD})
         std::signal(number, SIG_DFL);
     sigset_t none;

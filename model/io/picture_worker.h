@@ -1,4 +1,4 @@
-// The process that works on one picture, and ends with it.
+// The process that works on one picture and then ends.
 #pragma once
 
 #include "model/io/image_module.h"
@@ -6,8 +6,8 @@
 
 namespace lancer::io {
 
-/// Gives up what this process does not need, then does what is asked. `output` holds what came of
-/// it, a reason for its failure too. Returns the exit code of the process.
+/// Drops the rights that this process does not need, then works on the request. `output` receives
+/// the result, or the reason of a failure. Returns the exit code of the process.
 int work_on(const PictureRequest& request, int input, int output, const ImageModule& module);
 
 }  // namespace lancer::io

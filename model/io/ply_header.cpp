@@ -45,7 +45,7 @@ class HeaderReader {
             statement(keyword);
         }
         if (!has_format_) throw scanner_.error("the header names no format");
-        scanner_.rest_of_line();  // up to its end and no further: binary data follow
+        scanner_.rest_of_line();  // only up to its end: binary data follow
         header_.bytes = size_ - scanner_.bytes_left();
         header_.lines = scanner_.line() - 1;
         return std::move(header_);

@@ -1,4 +1,4 @@
-// The head of a PLY file: which elements follow, with which properties.
+// Reads the header of a PLY file: its elements and their properties.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct PlyHeader {
     std::uint32_t lines = 0;  ///< of the header
 };
 
-/// Throws FileError naming `name` and the line.
+/// Throws FileError, which names `name` and the line.
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 
 std::size_t size_of(PlyType type);

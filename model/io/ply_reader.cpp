@@ -45,8 +45,8 @@ Target target_of(const PlyProperty& property) {
     return Target::skipped;
 }
 
-/// Linear light of a part of a colour: whole numbers are the steps of an sRGB picture, others light
-/// as they stand.
+/// The linear light of a colour component. Integers are steps of an sRGB picture; floats are
+/// already linear.
 double light_of(double value, PlyType type) {
     if (type == PlyType::uint8) return srgb_decode(value / 255);
     if (type == PlyType::uint16) return srgb_decode(value / 65535);
@@ -82,7 +82,8 @@ class PlyReader {
     }
 
   private:
-    /// No memory is taken, and no time, for more elements than the file can hold.
+    /// Checks the count, so that no memory or time is spent on more elements than the file can
+    /// hold.
     void check_count(const PlyElement& element) const {
         for (const PlyProperty& property : element.properties) {
             const PlyType type = property.is_list ? property.count_type : property.type;
@@ -113,7 +114,7 @@ class PlyReader {
         const bool normals = has(Target::nx) && has(Target::ny) && has(Target::nz);
         const bool uvs = has(Target::u) && has(Target::v);
         const bool colors = has(Target::red) && has(Target::green) && has(Target::blue);
-        // A part of a normal is none: its numbers are passed over, and need not be finite.
+        // An incomplete normal is ignored: its numbers are skipped and need not be finite.
         for (Target& target : targets) {
             if ((!normals && target >= Target::nx && target <= Target::nz) ||
                 (!uvs && (target == Target::u || target == Target::v)) ||
@@ -150,7 +151,7 @@ class PlyReader {
         }
     }
 
-    /// An error where a face uses the vertex.
+    /// Records an error for faces that use the vertex.
     void note_bad(const std::string& property, Target target, std::uint64_t vertex) {
         auto& bad = target < Target::nx    ? soup_.bad_vertices
                     : target < Target::u   ? soup_.bad_normals
@@ -186,8 +187,8 @@ class PlyReader {
         }
     }
 
-    /// Strips of triangles: each corner makes one with the two before it, turned every other time;
-    /// -1 begins a new strip. Corners written twice, which join strips, make none.
+    /// Triangle strips: each corner makes a triangle with the two before it, reversed every other
+    /// time; -1 begins a new strip. Repeated corners, which join strips, make none.
     void strips(const PlyElement& element) {
         for (std::uint64_t i = 0; i < element.count; ++i) {
             for (const PlyProperty& property : element.properties) {

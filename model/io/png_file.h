@@ -1,4 +1,4 @@
-// PNG through libpng alone, so that plain use of Lancer loads nothing heavier.
+// PNG with libpng alone, so that ordinary use of Lancer loads no larger library.
 #pragma once
 
 #include <string>
@@ -12,26 +12,26 @@ namespace lancer::io {
 
 bool is_png(std::string_view bytes);
 
-/// The whole file. The same picture gives the same bytes. 1 channel is grey, 3 are RGB, 4 are RGBA;
-/// channels beyond are left out. Throws FileError naming `name`.
+/// Encodes a whole file. The same picture gives the same bytes. 1 channel is grey, 3 are RGB, 4 are
+/// RGBA; other channels are dropped. Throws FileError, which names `name`.
 std::string encode_png(const Image& image, const ImageWriteOptions& options,
                        const std::string& name);
 
-/// The same row by row: `row` is asked for each from the top, and what it gives holds until the
-/// next; the pixels of `like` are not looked at. Throws what `row` and `add` throw too.
+/// The same row by row: `row` is called for each row from the top, and its result must stay valid
+/// until the next call. The pixels of `like` are not used. Also throws what `row` and `add` throw.
 void encode_png(const Image& like, const ImageWriteOptions& options, const std::string& name,
                 const RowOf& row, const AddBytes& add);
 
-/// The curve that decode_png decodes this file's colours by: "sRGB", "linear" (gAMA 1), or a gAMA
-/// chunk with its number, as "gAMA 0.45455". Empty when the file cannot be read.
+/// The curve by which decode_png() decodes this file's colours: "sRGB", "linear" (gAMA 1), or the
+/// value of a gAMA chunk, as "gAMA 0.45455". Empty when the file cannot be read.
 std::string png_curve(std::string_view bytes);
 
-/// A whole PNG with one more text chunk before its end. No picture depends on it.
+/// Adds a text chunk before the end of a PNG. It does not change the picture.
 std::string with_png_text(std::string png, const std::string& keyword, const std::string& text);
 
-/// 1 channel (grey), 3 (RGB) or 4 (RGBA, grey with alpha too). Colour in linear light by the rules
-/// POV-Ray 3.7 has: an sRGB chunk or none means the sRGB curve, for 16 bits too; a gAMA chunk alone
-/// means its power law. Throws FileError naming `name`.
+/// 1 channel (grey), 3 (RGB) or 4 (RGBA, or grey with alpha). Colours are linear light by the rules
+/// of POV-Ray 3.7: an sRGB chunk or none means the sRGB curve, also for 16 bits; a gAMA chunk alone
+/// means its power law. Throws FileError, which names `name`.
 Image decode_png(std::string_view bytes, const std::string& name, ColorSpace space);
 
 }  // namespace lancer::io

@@ -13,8 +13,8 @@
 namespace lancer::io {
 namespace {
 
-// libpng reports errors by longjmp, which skips destructors: everything that owns memory lives in
-// this struct, outside the functions that call setjmp.
+// libpng reports errors by longjmp, which skips destructors. So this struct, outside of the
+// functions that call setjmp, owns all memory.
 struct Reader {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -54,7 +54,7 @@ void on_read(png_structp png, png_bytep data, std::size_t size) {
     rest.remove_prefix(size);
 }
 
-/// Everything before the pixels. Takes no memory for them yet.
+/// Reads everything before the pixels, without allocating memory for them.
 bool read_header(Reader& reader, Layout& layout) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_structp png = reader.png;
@@ -70,7 +70,7 @@ bool read_header(Reader& reader, Layout& layout) {
     return true;
 }
 
-/// Asks libpng for 8 or 16 bits of grey, RGB or RGBA; from here on it holds rows.
+/// Requests 8 or 16 bits of grey, RGB or RGBA from libpng. After that, libpng holds rows.
 bool choose_layout(Reader& reader, Layout& layout) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_structp png = reader.png;
@@ -94,7 +94,7 @@ bool read_pixels(Reader& reader) {
     return true;
 }
 
-/// Linear light for each step of the file's colours.
+/// The linear light of each step of the file's colours.
 std::vector<double> color_table(const Layout& layout, ColorSpace space) {
     const int top = layout.bits == 16 ? 65535 : 255;
     if (space == ColorSpace::linear || (!layout.srgb && layout.gamma == PNG_FP_1)) {
@@ -137,8 +137,8 @@ Image decode_png(std::string_view bytes, const std::string& name, ColorSpace spa
 
     const std::string excess = size_problem(layout.width, layout.height, 1);
     if (!excess.empty()) throw fail(excess);
-    // Deflate cannot make data more than 1032 times smaller (zlib's technical details), so a
-    // few bytes cannot hold a huge picture, and no memory is taken for one.
+    // Deflate shrinks data at most 1032 times (zlib's technical details). So a small file cannot
+    // hold a huge picture, and no memory is allocated for one.
     if (layout.width * layout.stored_bits / 8 * layout.height / 1032 > bytes.size()) {
         throw fail(fmt::format("the file is truncated: {} bytes cannot hold {} x {} pixels",
                                bytes.size(), layout.width, layout.height));

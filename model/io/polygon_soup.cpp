@@ -33,7 +33,7 @@ class Builder {
             add(face, begin, end);
             begin = end;
         }
-        // What no face uses is no part of the mesh, and must not count in its size.
+        // Vertices that no face uses are not part of the mesh, so they must not influence its size.
         for (const auto& [index, problem] : soup_.bad_vertices)
             soup_.vertices[index] = soup_.vertices[soup_.corners.front()];
         for (const auto& [index, problem] : soup_.bad_normals) soup_.normals[index] = Vec3d(0.0);
@@ -55,7 +55,7 @@ class Builder {
     }
 
   private:
-    /// Indices into a list that the file does not have say nothing: one warning, at the first.
+    /// Indices into a list that the file does not have are ignored, with one warning at the first.
     void drop_absent(bool absent, std::vector<std::uint32_t>& corners, std::string_view problem) {
         if (!absent || corners.empty()) return;
         const auto given = std::find_if(corners.begin(), corners.end(),
@@ -96,7 +96,7 @@ class Builder {
                                           soup_.face_materials[face]);
     }
 
-    /// Numbers the materials in the order of the first triangle that has them.
+    /// Numbers the materials in the order of their first triangles.
     void number_materials() {
         std::vector<std::uint32_t> order(soup_.materials.size() + 1, none);  // the last: no name
         for (std::uint32_t& material : loaded_.face_materials) {
@@ -118,7 +118,7 @@ class Builder {
         for (std::size_t i = begin; i < end; ++i) {
             if (indices[i] < count) continue;
             if (indices[i] == none && &indices != &soup_.corners) continue;
-            // An index from the end was too far from it: the reader could not know yet.
+            // A relative index pointed before the first element; the reader could not decide this.
             const std::string number =
                 indices[i] == before_the_first
                     ? "before the first"
@@ -137,7 +137,7 @@ class Builder {
             if (const auto at = bad.find(indices[i]); at != bad.end()) throw FileError(at->second);
     }
 
-    /// Colours are seldom shown, so a wrong one is no error.
+    /// A bad colour is only a warning, because colours are seldom shown.
     void note_bad_color(std::size_t begin, std::size_t end) {
         if (soup_.bad_colors.empty() || !bad_color_.empty()) return;
         for (std::size_t i = begin; i < end; ++i)
@@ -154,7 +154,7 @@ class Builder {
         }
     }
 
-    /// Drops indices that say nothing: all `none`, or the same as those of the vertices.
+    /// Drops redundant indices: all `none`, or equal to those of the vertices.
     template <class Attribute>
     void simplify(std::vector<Attribute>& attributes, std::vector<Mesh::Corners>& faces) const {
         const bool unused = std::all_of(faces.begin(), faces.end(), [](const Mesh::Corners& f) {

@@ -10,7 +10,7 @@
 namespace lancer::io {
 namespace {
 
-/// A whole number of the header or of a text raster; white space and comments may be before it.
+/// An integer of the header or of a text raster; white space and comments may precede it.
 int number(TextScanner& scanner, const char* what, std::int64_t most) {
     scanner.at_end();
     const std::int64_t value = scanner.integer(what);
@@ -72,7 +72,7 @@ Image decode_ppm(std::string_view bytes, const std::string& name, ColorSpace spa
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                               static_cast<std::size_t>(channels);
     const std::size_t value_bytes = !text && top > 255 ? 2 : 1;
-    // The header ends with one byte of white space; values in text have a space between them.
+    // The header ends with one byte of white space; text values are separated by white space.
     if (scanner.bytes_left() < (text ? 2 * count : 1 + count * value_bytes)) {
         throw scanner.error("the file is truncated");
     }

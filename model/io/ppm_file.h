@@ -1,4 +1,4 @@
-// PPM and PGM, the simplest picture files there are (netpbm: ppm(5), pgm(5)).
+// PPM and PGM, the simplest picture formats (netpbm: ppm(5), pgm(5)).
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace lancer::io {
 
 bool is_ppm(std::string_view bytes);
 
-/// P6, 8 or 16 bits; grey becomes RGB, other channels are left out.
+/// Encodes P6 with 8 or 16 bits; grey becomes RGB, other channels are dropped.
 std::string encode_ppm(const Image& image, const ImageWriteOptions& options);
 
-/// The same row by row, as encode_png() in png_file.h.
+/// The same row by row, like encode_png() in png_file.h.
 void encode_ppm(const Image& like, const ImageWriteOptions& options, const RowOf& row,
                 const AddBytes& add);
 
-/// P2, P3, P5 and P6: 1 channel or 3, decoded from sRGB. Throws FileError naming `name`.
+/// Decodes P2, P3, P5 and P6 from sRGB: 1 or 3 channels. Throws FileError, which names `name`.
 Image decode_ppm(std::string_view bytes, const std::string& name, ColorSpace space);
 
 }  // namespace lancer::io

@@ -1,4 +1,4 @@
-// Between linear light and the whole numbers of a file.
+// Converts between linear light and the integers of a file.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace lancer::io {
 
-/// Light to the nearest of the steps of a format of 8 or 16 bits. What is outside [0, 1] is
+/// Rounds light to the nearest step of a format with 8 or 16 bits. Values outside [0, 1] are
 /// clamped; NaN, which no renderer should produce, becomes 0.
 class Quantizer {
   public:
@@ -42,8 +42,8 @@ class Quantizer {
     std::vector<double> thresholds_;  ///< where the steps 1..top begin; empty: compute
 };
 
-/// Linear light for each of the steps 0..`top` of a format that encodes light as `curve`(light);
-/// `decode` is its inverse, on [0, 1].
+/// The linear light of each step 0..`top` of a format that encodes light as `curve`(light);
+/// `decode` is the inverse of `curve` on [0, 1].
 template <class Decode>
 std::vector<double> decoding_table(int top, Decode decode) {
     std::vector<double> light(static_cast<std::size_t>(top) + 1);

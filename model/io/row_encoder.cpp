@@ -20,7 +20,7 @@ StoredShape shape_to_store(const Image& image, const std::string& format,
         shape.premultiplied = color == 4;
     } else {
         shape.channels = format == "tiff" ? color : std::min(color, 3);
-        if (format == "hdr") shape.channels = 3;  // RGBE has nothing else
+        if (format == "hdr") shape.channels = 3;  // RGBE has only these
     }
     const bool whole = format == "tiff" || format == "jpeg";
     shape.type = !whole                                   ? SampleType::float32
@@ -57,7 +57,7 @@ void RowEncoder::store(const double* pixel, std::string& bytes) const {
                 constexpr double most = 1e38;  // 2^127 is 1.7e38
                 value = value > 0 ? std::min(value, most) : 0;
             }
-            // A double too large for a float becomes infinite, as IEEE 754 rounds it.
+            // IEEE 754 rounds a double that is too large for a float to infinity.
             const auto stored = static_cast<Value>(value);
             std::memcpy(out, &stored, sizeof stored);
         }

@@ -1,4 +1,4 @@
-// From a row of linear light to the numbers that a format of the picture process stores.
+// Converts a row of linear light to the samples that a format of the picture process stores.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace lancer::io {
 
 class RowEncoder {
   public:
-    /// For pictures that are like `image`, whose pixels are not looked at.
+    /// For pictures of the same form as `image`, whose pixels are not used.
     RowEncoder(const Image& image, const std::string& format, const ImageWriteOptions& options);
 
     const StoredShape& shape() const { return shape_; }

@@ -17,7 +17,7 @@
 namespace lancer::io {
 namespace {
 
-/// Bytes one after the other, written in larger pieces.
+/// Consecutive bytes, written in larger pieces.
 class FileEnd {
   public:
     FileEnd(int file, const std::string& path) : file_(file), path_(path) {}

@@ -1,4 +1,4 @@
-// Pictures larger than memory: written row by row, the same bytes as write_image() writes.
+// Writes pictures that are larger than memory row by row, with the same bytes as write_image().
 #pragma once
 
 #include <functional>
@@ -9,14 +9,14 @@
 
 namespace lancer::io {
 
-/// Gives the next row, as it stands in Image::data.
+/// Gives the next row, in the layout of Image::data.
 using NextRow = std::function<void(double* pixels)>;
 
-/// Writes the rows atomically, from the top, in the format that the name asks for. Only a few are
-/// held at a time, but for formats other than PNG and PPM the picture library is loaded into this
-/// process. Throws FileError, and what `next` throws; then nothing is written.
+/// Writes the rows atomically, from the top, in the format of the name's ending. Only a few are
+/// held at a time. For formats other than PNG and PPM, the picture library is loaded into this
+/// process. Throws FileError, and what `next` throws; then no file is written.
 ///
-/// \param like  a picture of the same shape; its pixels are not looked at
+/// \param like  a picture of the same form; its pixels are not used
 void write_rows(const std::string& path, const Image& like, const ImageWriteOptions& options,
                 const NextRow& next);
 

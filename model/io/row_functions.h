@@ -1,4 +1,4 @@
-// Pictures that are encoded row by row: where the rows come from, and where the bytes go.
+// The source of rows and the destination of bytes for pictures that are encoded row by row.
 #pragma once
 
 #include <functional>
@@ -6,14 +6,14 @@
 
 namespace lancer::io {
 
-/// The pixels of row y, as they stand in Image::data, until the next call. Each is asked for once,
-/// from the top.
+/// The pixels of row y in the layout of Image::data, valid until the next call. Called once for
+/// each row, from the top.
 using RowOf = std::function<const double*(int y)>;
 
-/// The same for `count` rows that are encoded already, one after the other.
+/// The same for `count` encoded rows in sequence.
 using RowsOf = std::function<const void*(int first, int count)>;
 
-/// Takes the bytes of a file, in their order.
+/// Receives the bytes of a file in order.
 using AddBytes = std::function<void(std::string_view bytes)>;
 
 }  // namespace lancer::io

@@ -22,7 +22,7 @@ std::size_t bytes_of(std::uint32_t triangles) {
     return header_bytes + 4 + triangle_bytes * std::size_t{triangles};
 }
 
-/// A text has no NUL; the head of a binary file nearly always has one.
+/// A text contains no NUL; the header of a binary file nearly always does.
 bool is_text(std::string_view bytes) {
     const std::string_view word = bytes.substr(0, 5);
     return (word == "solid" || word == "SOLID" || word == "Solid") &&
@@ -35,7 +35,8 @@ std::string size_problem(std::string_view bytes, const std::string& name) {
                        bytes_of(count_of(bytes, name)));
 }
 
-/// By its length; one with more bytes than its triangles need is binary, too, unless it is a text.
+/// Decides by the length. A file with more bytes than its triangles need is binary, too, unless it
+/// is a text.
 bool is_binary(std::string_view bytes, const std::string& name) {
     if (bytes.size() < header_bytes + 4) return false;
     const std::uint32_t count = count_of(bytes, name);
@@ -93,7 +94,7 @@ class TextReader {
   private:
     void facet(VertexMerger& merger) {
         expect("normal");
-        // Writers put what they like there, even NaN; nobody needs it.
+        // Some writers put arbitrary values there, even NaN; the normal is not used.
         for (int i = 0; i < 3; ++i) word();
         expect("outer");
         expect("loop");
@@ -108,7 +109,7 @@ class TextReader {
         expect("endfacet");
     }
 
-    /// The next word in small letters, on this line or a later one.
+    /// The next word in lower case, on this line or a later one.
     std::string_view word() {
         scanner_.at_end();
         word_ = scanner_.word();

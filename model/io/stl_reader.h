@@ -1,4 +1,4 @@
-// STL, text and binary.
+// Reads STL, text and binary.
 #pragma once
 
 #include <string>
@@ -8,12 +8,11 @@
 
 namespace lancer::io {
 
-/// Corners at exactly the same place become one vertex, so a closed surface is closed. Normals are
-/// not read: those of the format are the triangles' own. A file is binary when its length is the
-/// one that its number of triangles asks for, whatever it begins with (3D Systems,
-/// StereoLithography Interface Specification, 1989); bytes behind the triangles are a warning.
-/// Throws FileError naming `name` and the line or
-/// byte.
+/// Corners at exactly the same place become one vertex, so that a closed surface stays closed. The
+/// format's normals are those of the triangles and are ignored. A file is binary when its length
+/// fits its number of triangles, whatever its first bytes are (3D Systems, StereoLithography
+/// Interface Specification, 1989). Bytes after the triangles cause a warning. Throws FileError,
+/// which names `name` and the line or byte.
 PolygonSoup read_stl(std::string_view bytes, const std::string& name);
 
 }  // namespace lancer::io

@@ -22,8 +22,8 @@ constexpr std::uint64_t longest_text = 1 << 16;
 
 enum class Content : std::uint32_t { picture = 1, file, problem };
 
-/// At the beginning of the memory; the text (the problem, or the names of the extra channels and
-/// the names and values of notes, each ended by a zero) follows, then the pixels or bytes.
+/// At the begin of the memory. The text follows (the problem; or the names of the extra channels
+/// and the names and values of notes, each ended by a zero), then the pixels or bytes.
 struct Header {
     std::uint32_t mark;
     Content content;
@@ -34,7 +34,7 @@ struct Header {
     std::uint64_t size;
 };
 
-/// Where the pixels or bytes begin: aligned for every type of samples.
+/// The offset of the pixels or bytes, aligned for every sample type.
 std::uint64_t begin_after(std::uint64_t text_size) {
     return (sizeof(Header) + text_size + 7) / 8 * 8;
 }
@@ -62,7 +62,7 @@ std::string joined(const StoredShape& shape) {
     return text;
 }
 
-/// The words in `text` are those of the shape; false when there are not as many as there should be.
+/// Copies the words in `text` to the shape; false when their number is wrong.
 bool split(const std::string& text, const Header& header, StoredShape& shape) {
     std::vector<std::string> words;
     for (std::size_t at = 0; at < text.size();) {
@@ -79,7 +79,7 @@ bool split(const std::string& text, const Header& header, StoredShape& shape) {
     return true;
 }
 
-/// What a library says, on one line that a terminal can show.
+/// A library's message, on one line and safe for a terminal.
 std::string printable(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
     for (char& c : text) {
@@ -108,20 +108,20 @@ bool is_valid(const Header& header, std::uint64_t size) {
            std::uint64_t{header.width} * header.height * header.channels * bytes_of(header.type);
 }
 
-/// Where the pixels of a stored row stand in the picture: the first, and how far it is to the next.
+/// The place of a stored row in the picture: the first pixel, and the distance to the next.
 struct Place {
     std::ptrdiff_t first;
     std::ptrdiff_t step;
 };
 
-/// The picture that is turned upright. EXIF 2.32, 4.6.4: from 5 on, rows have become columns.
+/// Turns the picture upright. EXIF 2.32, 4.6.4: from 5 on, rows become columns.
 class Upright {
   public:
     explicit Upright(const StoredShape& shape)
         : turned_(shape.orientation >= 5),
           width_(turned_ ? shape.height : shape.width),
           height_(turned_ ? shape.width : shape.height) {
-        // Of the stored picture: whether its first row, and its first column, are the last.
+        // Whether the first row and the first column of the stored picture are the last ones.
         const int o = shape.orientation;
         rows_backwards_ = o == 3 || o == 4 || o == 6 || o == 7;
         columns_backwards_ = o == 2 || o == 3 || o == 7 || o == 8;
@@ -149,7 +149,7 @@ class Upright {
     bool columns_backwards_;
 };
 
-/// Encoded whole numbers to light; of alpha and of extra channels to a fraction.
+/// Decodes integers to light; for alpha and extra channels, to a fraction.
 template <class Value>
 class Decoder {
   public:
@@ -167,7 +167,7 @@ class Decoder {
     std::vector<double> light_;
 };
 
-/// Floats stand as they are.
+/// Floats are copied.
 template <class Value>
 requires std::is_floating_point_v<Value>
 class Decoder<Value> {

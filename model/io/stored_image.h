@@ -28,8 +28,8 @@ constexpr std::size_t bytes_of(SampleType type) {
     return 0;
 }
 
-/// Everything but the pixels. These follow row by row from the file's first, the samples of a pixel
-/// side by side: colour, alpha, then the extra channels. Whole numbers are encoded, floats linear.
+/// Everything but the pixels. These follow in the row order of the file, with the samples of each
+/// pixel together: colour, alpha, then the extra channels. Integers are encoded, floats are linear.
 struct StoredShape {
     int width = 0;
     int height = 0;
@@ -38,7 +38,7 @@ struct StoredShape {
     bool premultiplied = false;  ///< alpha is multiplied into the colours
     int orientation = 1;         ///< 1 to 8, as EXIF and TIFF number them: how to turn it upright
     std::vector<std::string> extra_names;
-    /// Of a picture that is written: ImageWriteOptions::notes.
+    /// For a picture to be written: ImageWriteOptions::notes.
     std::vector<std::pair<std::string, std::string>> notes{};
 
     std::size_t row_bytes() const {
@@ -47,23 +47,23 @@ struct StoredShape {
     }
 };
 
-/// Takes what a picture library reads or writes, piece by piece.
+/// Receives what a picture library reads or writes, piece by piece.
 class PictureSink {
   public:
     PictureSink() = default;
     PictureSink(const PictureSink&) = delete;
     PictureSink& operator=(const PictureSink&) = delete;
     virtual ~PictureSink() = default;
-    /// Of a picture that is read: once, before its pixels.
+    /// For a picture that is read: called once, before its pixels.
     virtual void shape(const StoredShape& shape) = 0;
     /// Pixels of a picture that is read, or the bytes of a file that is written.
     virtual void bytes(const void* data, std::size_t size) = 0;
 };
 
-/// Memory that can be handed to another process; it has a size and a content like a file.
+/// Memory that can be passed to another process; it has a size and content like a file.
 class SharedMemory {
   public:
-    /// Throws FileError when the system has none left.
+    /// Throws FileError when the system cannot allocate any.
     SharedMemory();
     ~SharedMemory();
     SharedMemory(const SharedMemory&) = delete;
@@ -83,7 +83,7 @@ class SharedSink : public PictureSink {
     explicit SharedSink(int memory) : memory_(memory) {}
     void shape(const StoredShape& shape) override;
     void bytes(const void* data, std::size_t size) override;
-    /// Once, at the end: what is there is whole, or (with a `problem`) there is nothing but that.
+    /// Called once, at the end. Marks the content as complete or, with a `problem`, replaces it.
     void finish(const std::string& problem);
 
   private:
@@ -92,21 +92,21 @@ class SharedSink : public PictureSink {
     std::uint64_t written_ = 0;
 };
 
-/// What a SharedSink left. All of it is checked: the process that wrote it may have been taken over
-/// by the file that it read.
+/// The content that a SharedSink left. All of it is checked, because the file may have taken over
+/// the process that read it.
 struct SharedResult {
-    std::string problem;      ///< why there is nothing; the other members are unset then
+    std::string problem;      ///< why there is no content; the other members are then unset
     StoredShape shape;        ///< width 0: bytes of a file
     std::uint64_t first = 0;  ///< where the pixels or bytes begin
     std::uint64_t size = 0;
 };
 SharedResult read_shared(int memory);
 
-/// The file that was written. Throws FileError when the memory cannot be read.
+/// The bytes of the encoded file. Throws FileError when the memory cannot be read.
 std::string shared_bytes(int memory, const SharedResult& result);
 
-/// The picture that was read, upright and in linear light. Throws FileError when the memory cannot
-/// be read.
+/// The decoded picture, upright and in linear light. Throws FileError when the memory cannot be
+/// read.
 Image shared_image(int memory, const SharedResult& result, ColorSpace space);
 
 }  // namespace lancer::io

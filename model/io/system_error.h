@@ -12,13 +12,14 @@
 
 namespace lancer::io {
 
-/// A FileError that knows its number.
+/// A FileError with its error number.
 struct SystemError : FileError {
     SystemError(const std::string& message, int number) : FileError(message), code(number) {}
-    int code;  ///< as errno has it
+    int code;  ///< as in errno
 
-    /// A network's or a network file system's trouble, or another process's: it may be gone the
-    /// next time, or on another machine. A full disk and missing rights want somebody's hand.
+    /// Whether the failure may be temporary: trouble of a network or of another process, which may
+    /// be gone at the next attempt or on another machine. A full disk or missing rights must be
+    /// corrected by a person.
     bool may_pass() const {
         switch (code) {
             case ESTALE:

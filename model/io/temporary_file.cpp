@@ -18,8 +18,8 @@ namespace {
 
 constexpr int most_attempts = 100;
 
-/// Whether an open file or folder can still be found by a name. A run that removes leftovers may
-/// have come between making one and locking it.
+/// Whether an open file or folder still has a name. Between its creation and its lock, another run
+/// may have removed it as a leftover.
 bool is_still_there(int descriptor) {
     struct stat status {};
     return fstat(descriptor, &status) == 0 && status.st_nlink > 0;
@@ -32,7 +32,7 @@ bool is_same_file(int descriptor, const std::string& name) {
            open_file.st_dev == named_file.st_dev && open_file.st_ino == named_file.st_ino;
 }
 
-/// Network file systems report a full disk when a descriptor is closed.
+/// Network file systems report a full disk only when a descriptor is closed.
 bool is_stored(int descriptor) {
     const int copy = dup(descriptor);
     return copy >= 0 && close(copy) == 0;
@@ -56,7 +56,7 @@ bool TemporaryFile::open_unnamed() {
         lock_at_once(descriptor_);
         return true;
     }
-    close(descriptor_);  // there is no /proc, or not that of this process
+    close(descriptor_);  // /proc is missing or belongs to another process namespace
     return false;
 }
 
@@ -88,7 +88,7 @@ void TemporaryFile::keep_as(const std::string& path) {
     if (!has_name_) {
         if (linkat(AT_FDCWD, name_.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) return;
         if (errno != EEXIST) throw system_error("cannot write", path, errno);
-        // A link never takes the place of a file; renaming does, and needs a name for a moment.
+        // A link cannot replace a file, but renaming can; so the file gets a temporary name first.
         const std::string unnamed = name_;
         name_ = new_temporary_name(folder_, "");
         slot_ = remember_temporary(name_);

@@ -1,4 +1,4 @@
-// Files and folders that exist only while something is being made.
+// Temporary files and folders.
 #pragma once
 
 #include <filesystem>
@@ -6,9 +6,9 @@
 
 namespace lancer::io {
 
-/// A new, empty file that is gone when the object is, unless `keep_as` was called. It has no name
-/// where the file system allows that (O_TMPFILE), so that not even a killed process leaves it
-/// behind; elsewhere the next run that writes into the folder removes it.
+/// A new, empty file that the destructor removes, unless `keep_as` was called. If the file system
+/// allows it (O_TMPFILE), the file has no name, so that not even a killed process leaves it behind.
+/// Otherwise the next run that writes into the folder removes it.
 class TemporaryFile {
   public:
     enum class Naming {
@@ -17,7 +17,7 @@ class TemporaryFile {
     };
 
     /// Creates the file in `folder` (empty: the current one) with the access rights of an ordinary
-    /// new file; its name, if it gets one, ends in `ending`. Throws FileError, whose message names
+    /// new file. Its name, if it gets one, ends in `ending`. Throws FileError, whose message names
     /// `purpose`.
     TemporaryFile(const std::string& folder, const std::string& ending, const std::string& purpose,
                   Naming naming = Naming::if_needed);
@@ -25,13 +25,13 @@ class TemporaryFile {
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-    /// To open the file by; without a name of its own it is one below /proc, which holds as long as
-    /// this object does, for other processes of the same user too.
+    /// A name for opening the file. If the file has no name of its own, this is a name below /proc,
+    /// which other processes of the same user can use, too, as long as this object exists.
     const std::string& name() const { return name_; }
     int descriptor() const { return descriptor_; }
 
-    /// Makes it the file `path`, replacing what was there in one step. To be called once, at the
-    /// end. Throws FileError, which also tells of bytes that could not be stored.
+    /// Gives the file the name `path` and replaces an existing file atomically. To be called once,
+    /// at the end. Throws FileError, also for bytes that could not be stored.
     void keep_as(const std::string& path);
 
   private:
@@ -45,8 +45,8 @@ class TemporaryFile {
     int slot_ = -1;          ///< see temporary_registry.h
 };
 
-/// A fresh directory below the temporary one, removed with all it holds at the end of its life; the
-/// next run removes what a killed one left. Throws FileError when none can be made.
+/// A new directory below the temporary one. The destructor removes it with its content; the next
+/// run removes one that a killed process left. Throws FileError when none can be made.
 class TemporaryFolder {
   public:
     TemporaryFolder();

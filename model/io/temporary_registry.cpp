@@ -9,8 +9,8 @@
 namespace lancer::io {
 namespace {
 
-// What a signal handler may read: no heap, no locks. A name is complete before its slot becomes
-// `used`, and the handler looks at nothing else.
+// Data that a signal handler may read: no heap, no locks. A name is complete before its slot
+// becomes `used`, and the handler reads only such slots.
 enum class State { free, reserved, used };
 
 struct Slot {

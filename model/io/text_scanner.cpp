@@ -8,8 +8,8 @@
 namespace lancer::io {
 namespace {
 
-/// Is a decimal number that does not fit a double too small for it, rather than too large? Decided
-/// by the power of ten of its first digit that is not 0.
+/// Whether a decimal number that does not fit a double is too small and not too large. Decided by
+/// the power of ten of its first digit that is not 0.
 bool is_tiny(std::string_view number) {
     const std::size_t e = number.find_first_of("eE");
     const std::string_view digits = number.substr(0, e);
@@ -24,7 +24,8 @@ bool is_tiny(std::string_view number) {
         if (result.ec != std::errc()) return text.starts_with('-');
     }
     const std::int64_t place = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
-    // Exponents beyond the length of any file are all the same; the sum cannot overflow then.
+    // Exponents longer than any file have the same effect; clamping them prevents an overflow of
+    // the sum.
     constexpr std::int64_t beyond = std::int64_t{1} << 60;
     return std::min(std::max(exponent, -beyond), beyond) + place < 0;
 }

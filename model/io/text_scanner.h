@@ -1,4 +1,4 @@
-// Words and numbers of a text file, with the line for messages. Independent of the locale.
+// Reads words and numbers of a text file, and counts lines for messages. Independent of the locale.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace lancer::io {
 
-/// Walks over `bytes`, which must outlive it. LF, CRLF and CR end a line. `comment` (when not 0)
-/// begins a comment that runs to the end of the line; `continuation` (when not 0) directly before
-/// the end of a line joins the next line to it.
+/// Reads through `bytes`, which must outlive it. LF, CRLF and CR end a line. `comment` (when not 0)
+/// begins a comment that extends to the end of the line. `continuation` (when not 0) directly
+/// before the end of a line joins the next line to it.
 class TextScanner {
   public:
     TextScanner(std::string_view bytes, std::string name, char comment = 0, char continuation = 0,
@@ -23,33 +23,33 @@ class TextScanner {
           comment_(comment),
           continuation_(continuation) {}
 
-    /// Skips spaces and comments, not ends of lines; true when the line (or the file) ends here.
+    /// Skips spaces and comments, but no line ends; true at the end of the line or file.
     bool at_line_end();
-    /// Skips what is left of the line and its end.
+    /// Skips the rest of the line and its end.
     void next_line();
-    /// Skips spaces, comments and ends of lines; true when the file ends here.
+    /// Skips spaces, comments and line ends; true at the end of the file.
     bool at_end();
-    /// The rest of the line, spaces included, without its end; the end is skipped too.
+    /// The rest of the line, including spaces, without its end, which is skipped.
     std::string_view rest_of_line();
 
     /// The next word of this line, up to a space or end of line; empty at the end of the line.
     std::string_view word();
-    /// The next number of this line: a finite double; one too small for the type is 0. Throws
-    /// FileError naming `what` when there is none, it is not finite or too large, or a letter
-    /// follows.
+    /// The next number on this line: a finite double; a number too small for the type becomes 0.
+    /// Throws FileError, which names `what`, when there is none, when it is not finite or too
+    /// large, or when a letter follows.
     double number(const char* what);
-    /// The same, but NaN, infinity and what is too large for a double are numbers, too.
+    /// The same, but NaN, infinity and values too large for a double are allowed.
     double any_number(const char* what);
-    /// The whole number that begins right here; no digit, letter or point may follow it.
+    /// The integer that begins exactly here; no digit, letter or point may follow it.
     std::int64_t integer(const char* what);
-    /// True, and `c` is skipped, when it is the very next character.
+    /// If `c` is the very next character, skips it and returns true.
     bool skip(char c);
-    /// What the next word of this line begins with.
+    /// Whether the next word of this line begins with `c`.
     bool next_word_begins(char c) { return !at_line_end() && *at_ == c; }
-    /// The next word of this line is a number.
+    /// Whether the next word of this line is a number.
     bool next_is_number();
     bool next_is(char c) const { return at_ != end_ && *at_ == c; }
-    /// A blank, a comment or the end of the line follows.
+    /// Whether a blank, a comment or the end of the line follows.
     bool at_word_end() const { return is_word_end(at_); }
 
     std::uint32_t line() const { return line_; }
@@ -75,7 +75,7 @@ class TextScanner {
     char continuation_;
 };
 
-/// A piece of a file for a message: short, and nothing in it that a terminal would obey.
+/// A short piece of a file for a message, without characters that a terminal would interpret.
 std::string quotable(std::string_view text);
 
 }  // namespace lancer::io

@@ -1,4 +1,4 @@
-// Image files as textures: what shading asks of them is checked where they are read.
+// Reads image files for textures, and checks what shading requires of them.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace lancer::io {
 
-/// read_image() with colour and alpha alone. Throws FileError, which names the pixel, when a value
-/// is infinite or not a number.
+/// read_image() with colour and alpha only. Throws FileError, which names the pixel, when a value
+/// is infinite or NaN.
 Image read_texture(const std::string& path, ColorSpace space);
 
 }  // namespace lancer::io

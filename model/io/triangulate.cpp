@@ -1,9 +1,10 @@
-// Faces of more than three corners: a fan where that is right, ears where it is not.
+// Triangulates faces with more than three corners: as a fan if that is correct, otherwise by ear
+// clipping.
 //
-// G. H. Meisters, Polygons Have Ears, The American Mathematical Monthly 82 (1975): a simple
-// polygon always has an ear, a corner that can be cut off along a diagonal inside it. The tests
-// are exact (expansion.h) in the polygon's projection along the largest component of its normal,
-// so an ear is always found and no tolerance is chosen.
+// G. H. Meisters, Polygons Have Ears, The American Mathematical Monthly 82 (1975): a simple polygon
+// always has an ear, a corner that can be cut off along a diagonal inside it. The tests are exact
+// (expansion.h) in the projection of the polygon along the largest component of its normal. So an
+// ear is always found, and no tolerance is needed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +17,11 @@
 namespace lancer::io {
 namespace {
 
-// Clipping compares each corner with each other one. A file must not keep us busy for hours.
+// Clipping compares every pair of corners, so a file must not be able to keep us busy for hours.
 constexpr std::size_t most_concave_corners = 10000;
 
-/// The polygon scaled by a power of two to coordinates of at most 2: the same triangles come out at
-/// any scale, and no product overflows, or underflows without need.
+/// Scales the polygon by a power of two to coordinates of at most 2. So the triangles are the same
+/// at any scale, and no product overflows or underflows unnecessarily.
 std::vector<Vec3d> normalized_polygon(std::span<const Vec3d> vertices,
                                       std::span<const std::uint32_t> corners) {
     double extent = 0;
@@ -36,8 +37,8 @@ std::vector<Vec3d> normalized_polygon(std::span<const Vec3d> vertices,
     return points;
 }
 
-/// Newell's method: twice the area vector of a polygon that need not be planar. From the first
-/// corner, so that a polygon far from the origin loses nothing.
+/// Newell's method: twice the area vector of a polygon that need not be planar. Computed relative
+/// to the first corner, so that a polygon far from the origin loses no precision.
 Vec3d area_vector(const std::vector<Vec3d>& points) {
     Vec3d sum{0, 0, 0};
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -46,7 +47,8 @@ Vec3d area_vector(const std::vector<Vec3d>& points) {
     return sum;
 }
 
-/// The points without the coordinate along which the polygon is flattest, turning left.
+/// Projects the points along the coordinate in which the polygon is flattest, so that it turns
+/// left.
 std::vector<Vec2d> projected(const std::vector<Vec3d>& points, const Vec3d& normal) {
     const Vec3d size = absolute(normal);
     const int drop = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -96,11 +98,12 @@ class Polygon {
             } else if (tried == left_ && repairs > 0 && cut_spikes(at)) {
                 --repairs;
                 classify();
-                at = first_;  // it may itself have been cut off
+                at = first_;  // this corner may itself have been cut off
                 tried = 0;
             } else {
-                // A whole round without an ear: the outline touches or crosses itself. Corners of
-                // no area go first; after that any, so that an end is always reached.
+                // A whole round without an ear: the outline touches or crosses itself. Then corners
+                // without area are cut off first, and after them any corner, so that the loop
+                // always ends.
                 ++tried;
                 at = next_[at];
             }
@@ -126,7 +129,7 @@ class Polygon {
         }
     }
 
-    /// Finds out anew, for all corners, which are reflex and which are ears.
+    /// Determines again for all corners which are reflex and which are ears.
     void classify() {
         reflex_.clear();
         is_ear_.assign(points_.size(), false);
@@ -143,14 +146,14 @@ class Polygon {
     }
 
     /// Only the two neighbours of a corner that was cut off can change (J. O'Rourke, Computational
-    /// Geometry in C, chapter 1), which keeps the whole quadratic.
+    /// Geometry in C, chapter 1), so the total time is quadratic.
     void classify(std::size_t b) {
         const std::size_t a = previous_[b];
         const std::size_t c = next_[b];
         const Vec2d &p = flat_[a], &q = flat_[b], &r = flat_[c];
         const Vec2d low(std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y}));
         const Vec2d high(std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y}));
-        // Most corners are outside the box of the triangle, which is the faster test.
+        // Most corners are outside the box of the triangle, and this test is faster.
         const auto is_blocked_by = [&](std::size_t corner) {
             const Vec2d& at = flat_[corner];
             return at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y &&
@@ -170,8 +173,8 @@ class Polygon {
         return left_ < before;
     }
 
-    /// Is corner `p` in the closed triangle a, b, c, and not at one of its corners? (Outlines that
-    /// lead to a hole and back pass the same place twice.)
+    /// Whether corner `p` is in the closed triangle a, b, c and not at one of its corners.
+    /// (Outlines that lead to a hole and back pass the same place twice.)
     bool blocks(std::size_t p, std::size_t a, std::size_t b, std::size_t c) const {
         const Vec2d& q = flat_[p];
         if (q == flat_[a] || q == flat_[b] || q == flat_[c]) return false;
@@ -185,7 +188,7 @@ class Polygon {
                              static_cast<std::uint32_t>(c)});
     }
 
-    /// Takes the corner out of the outline and returns where to go on.
+    /// Removes the corner from the outline and returns where to continue.
     std::size_t cut_off(std::size_t b) {
         const std::size_t a = previous_[b];
         const std::size_t c = next_[b];
@@ -193,7 +196,7 @@ class Polygon {
         previous_[c] = a;
         first_ = c;
         --left_;
-        // Corners only become less reflex as their neighbours go.
+        // Corners can only become less reflex when a neighbour is removed.
         std::erase_if(reflex_, [&](std::size_t p) {
             return p == b || ((p == a || p == c) && turn(previous_[p], p, next_[p]) > 0);
         });

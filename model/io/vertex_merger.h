@@ -1,4 +1,4 @@
-// One index for all vertices at the same place.
+// Merges all vertices at the same place into one index.
 #pragma once
 
 #include <bit>
@@ -10,8 +10,8 @@
 
 namespace lancer::io {
 
-/// Appends vertices to a list unless it has one with exactly the same coordinates (0 and -0 are the
-/// same). A hash table with open addressing, at most half full.
+/// Appends a vertex to a list unless the list has one with exactly the same coordinates (0 and -0
+/// are equal). A hash table with open addressing, at most half full.
 class VertexMerger {
   public:
     explicit VertexMerger(std::vector<Vec3d>& vertices) : vertices_(vertices), table_(16, none) {}
@@ -30,8 +30,8 @@ class VertexMerger {
     static std::uint64_t hash(const Vec3d& v) {
         std::uint64_t sum = 0;
         for (const double x : {v.x, v.y, v.z}) {
-            // The finalizer of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014). Adding 0 makes
-            // a zero of -0.
+            // The finalizer of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014). Adding 0 converts
+            // -0 to 0.
             sum += std::bit_cast<std::uint64_t>(x + 0.0) + 0x9E3779B97F4A7C15;
             sum = (sum ^ (sum >> 30)) * 0xBF58476D1CE4E5B9;
             sum = (sum ^ (sum >> 27)) * 0x94D049BB133111EB;
@@ -40,7 +40,7 @@ class VertexMerger {
         return sum;
     }
 
-    /// The slot of an equal vertex, or the free one where it belongs.
+    /// The slot of an equal vertex, or the free slot for this vertex.
     std::uint32_t& find(const Vec3d& vertex) {
         std::size_t slot = static_cast<std::size_t>(hash(vertex)) & (table_.size() - 1);
         while (table_[slot] != none && vertices_[table_[slot]] != vertex) {

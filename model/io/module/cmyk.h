@@ -1,4 +1,4 @@
-// Inks to light: of four samples a pixel become three.
+// Converts CMYK to RGB: four samples per pixel become three.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace lancer::io {
 
-/// In place: `pixels` four samples each become as many three, (1 - ink) (1 - black) rounded to a
-/// step of the file.
+/// Converts in place: four samples for each of `pixels` pixels become three, (1 - ink) (1 - black),
+/// rounded to a step of the file.
 template <class Value>
 void rgb_from_cmyk(Value* samples, std::size_t pixels) {
     constexpr std::uint64_t top = std::numeric_limits<Value>::max();

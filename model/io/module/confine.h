@@ -1,9 +1,9 @@
-// What a process gives up before it looks at a picture.
+// Confines a process before it reads a picture.
 #pragma once
 
 namespace lancer::io {
 
-/// See ImageModule::confine. Where the kernel has neither Landlock nor seccomp, nothing happens.
+/// See ImageModule::confine. Does nothing where the kernel has neither Landlock nor seccomp.
 void confine();
 
 }  // namespace lancer::io

@@ -1,7 +1,7 @@
 #include "model/io/module/jpeg.h"
 
 #include <csetjmp>
-#include <cstdio>  // jpeglib.h needs it before
+#include <cstdio>  // jpeglib.h needs it
 #include <cstring>
 #include <vector>
 
@@ -16,10 +16,10 @@
 namespace lancer::io {
 namespace {
 
-/// libjpeg's errors come back here. They jump over C code only: what is between is written so that
-/// no object of C++ begins or ends there.
+/// libjpeg's errors return here by longjmp. They jump over C code only: no object of C++ may be
+/// constructed or destroyed in between.
 struct Errors {
-    jpeg_error_mgr manager{};  ///< first, as libjpeg knows nothing of the rest
+    jpeg_error_mgr manager{};  ///< must be first: libjpeg knows only this member
     std::jmp_buf back{};
     char text[JMSG_LENGTH_MAX] = {};
 };
@@ -30,7 +30,7 @@ struct Errors {
     std::longjmp(errors->back, 1);
 }
 
-/// Warnings that pixels were made up end the reading.
+/// Warnings about invented pixels end the reading.
 void weigh_warning(j_common_ptr info, int level) {
     if (level >= 0) return;  // a trace
     switch (info->err->msg_code) {
@@ -48,8 +48,8 @@ void weigh_warning(j_common_ptr info, int level) {
 
 void say_nothing(j_common_ptr) {}
 
-/// The orientation in an EXIF segment (CIPA DC-008, 4.6.4), which is a TIFF file: 1 when there is
-/// none.
+/// The orientation in an EXIF segment (CIPA DC-008, 4.6.4), which has the form of a TIFF file; 1
+/// when there is none.
 int exif_orientation(std::string_view segment) {
     constexpr std::string_view mark("Exif\0\0", 6);
     if (!segment.starts_with(mark)) return 1;
@@ -71,12 +71,12 @@ int exif_orientation(std::string_view segment) {
             if (tag == orientation && type == whole_number && count == 1)
                 return value >= 1 && value <= 8 ? value : 1;
         }
-    } catch (const FileError&) {  // damaged, as it often is: then it says nothing
+    } catch (const FileError&) {  // damaged, as is common: no orientation
     }
     return 1;
 }
 
-/// libjpeg's state, freed at the end.
+/// libjpeg's state, freed by the destructor.
 struct Decompressor {
     jpeg_decompress_struct info{};
     Errors errors;
@@ -90,7 +90,7 @@ struct Decompressor {
     Decompressor(const Decompressor&) = delete;
     Decompressor& operator=(const Decompressor&) = delete;
 
-    // Each returns false when the reason is in errors.text.
+    // Each function returns false when it fails, with the reason in errors.text.
     bool open(std::string_view bytes) {
         if (setjmp(errors.back) != 0) return false;
         jpeg_create_decompress(&info);
@@ -145,7 +145,7 @@ std::string read_jpeg(std::string_view bytes, PictureSink& sink) {
     for (int y = 0; y < shape.height; ++y) {
         if (!file.row(row.data())) return file.reason();
         if (cmyk) {
-            // Adobe's programs, which alone write such files, store how much ink is missing.
+            // Only Adobe's programs write such files; they store the complement of the ink.
             if (file.info.saw_Adobe_marker == TRUE)
                 for (unsigned char& ink : row) ink = static_cast<unsigned char>(255 - ink);
             rgb_from_cmyk(row.data(), width);

@@ -1,4 +1,4 @@
-// JPEG files read by libjpeg.
+// Reads JPEG files with libjpeg.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace lancer::io {
 
-/// 8 bits, grey or RGB; CMYK is converted. Returns why the file cannot be read; damage that libjpeg
-/// would only warn of and paint over is a reason, too. Empty when all is well.
+/// 8 bits, grey or RGB; CMYK is converted. Returns the reason when the file cannot be read,
+/// otherwise an empty text. Damage that libjpeg would only warn about and fill in counts as a
+/// reason, too.
 std::string read_jpeg(std::string_view bytes, PictureSink& sink);
 
 }  // namespace lancer::io

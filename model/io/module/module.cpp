@@ -12,7 +12,7 @@
 namespace lancer::io {
 namespace {
 
-/// Runs `action` and turns what goes wrong in a library into words.
+/// Runs `action` and converts failures of a library to text.
 template <class Action>
 std::string guarded(Action action) {
     try {

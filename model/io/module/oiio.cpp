@@ -15,9 +15,9 @@ namespace {
 
 // ---- Reading ----
 
-/// Which channels of the file become which of ours: colour, alpha, then the others by name.
+/// The mapping of the file's channels to ours: colour, alpha, then the others by name.
 struct ChannelOrder {
-    std::vector<std::size_t> channels;  ///< grey with alpha names its channel three times
+    std::vector<std::size_t> channels;  ///< for grey with alpha, the grey channel three times
     std::vector<std::string> extra_names;
 };
 
@@ -55,8 +55,8 @@ bool in_file_order(const ChannelOrder& order) {
     return true;
 }
 
-/// Rows enough to keep all threads of a decoder busy, and no more: memory grows with what the file
-/// really holds, whatever size it claims.
+/// Enough rows to keep all threads of a decoder busy, but no more. So memory grows with the real
+/// content of the file, not with the size that it claims.
 int rows_at_once(const OIIO::ImageSpec& spec) {
     constexpr std::size_t bytes = std::size_t(32) << 20;
     const std::size_t row = static_cast<std::size_t>(spec.width) *
@@ -102,9 +102,9 @@ bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Chann
     return true;
 }
 
-/// Radiance's size line, `-Y 480 +X 640`, stands behind an empty one. The axis that comes first
-/// changes from scanline to scanline; -Y runs from the top, +X from the left. OpenImageIO takes two
-/// of the eight for each other.
+/// Radiance's size line, `-Y 480 +X 640`, follows an empty line. The first axis changes from
+/// scanline to scanline; -Y runs from the top, +X from the left. OpenImageIO confuses two of the
+/// eight orientations.
 int radiance_orientation(std::string_view bytes) {
     const std::size_t empty = bytes.find("\n\n");
     if (empty == std::string_view::npos) return 1;
@@ -150,16 +150,17 @@ OIIO::ImageSpec spec_of(const StoredShape& shape, const std::string& format) {
         spec.attribute("jpeg:subsampling", "4:4:4");
     } else {
         spec.attribute("compression", "zip");
-        spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the time of writing, in EXR
+        // otherwise EXR stores the time of writing
+        spec.attribute("DateTime", "1970:01:01 00:00:00");
     }
     for (const auto& [name, value] : shape.notes) spec.attribute("lancer:" + name, value);
     return spec;
 }
 
-/// Files in memory have no name; libraries put this one into their messages.
+/// Files in memory have no name; libraries use this one in their messages.
 constexpr const char* nameless = "picture";
 
-/// An open file, as OpenImageIO writes it.
+/// An open file in the form that OpenImageIO writes to.
 class FileProxy : public OIIO::Filesystem::IOProxy {
   public:
     explicit FileProxy(int file) : IOProxy("", Write), file_(file) {}
@@ -173,14 +174,14 @@ class FileProxy : public OIIO::Filesystem::IOProxy {
         try {
             write_all_at(file_, {static_cast<const char*>(bytes), size},
                          static_cast<std::uint64_t>(at), nameless);
-        } catch (const FileError& error) {  // which must not pass through libraries in C
+        } catch (const FileError& error) {  // exceptions must not pass through C libraries
             problem_ = error.what();
             return 0;
         }
         size_ = std::max(size_, at + static_cast<std::int64_t>(size));
         return size;
     }
-    /// Why it could not be written; empty: it could.
+    /// The reason of a failure; empty when there was none.
     const std::string& problem() const { return problem_; }
     std::size_t size() const override { return static_cast<std::size_t>(size_); }
     void flush() const override {}
@@ -191,10 +192,10 @@ class FileProxy : public OIIO::Filesystem::IOProxy {
     std::string problem_;
 };
 
-/// How many threads OpenEXR is to have; as many as there are processors.
+/// The number of threads of OpenEXR: that of the processors.
 int exr_threads = 1;
 
-/// What OpenImageIO has to say about a failure, which is not nothing.
+/// OpenImageIO's reason for a failure; never empty.
 template <class Source>
 std::string reason_of(Source& source) {
     std::string reason = source.geterror();
@@ -204,7 +205,7 @@ std::string reason_of(Source& source) {
 }  // namespace
 
 void warm_up_oiio() {
-    // A process that is a copy has none of the threads that are started here.
+    // A forked process does not have the threads that are started here.
     OIIO::getattribute("exr_threads", exr_threads);
     OIIO::attribute("exr_threads", -1);
     for (const char* format : {"openexr", "hdr"}) OIIO::ImageInput::create(format);
@@ -254,8 +255,8 @@ std::string write_with_oiio(const StoredShape& shape, const void* pixels, const 
     if (!output->open(nameless, spec)) return reason_of(*output);
     if (!output->write_image(type_of(shape.type), pixels) || output->has_error())
         return reason_of(*output);
-    // Not has_error() once more: a TIFF in memory has no EXIF data, and is said to have failed at
-    // it.
+    // has_error() is not called again: OpenImageIO reports a failure for a TIFF in memory, because
+    // it has no EXIF data.
     if (!output->close()) return reason_of(*output);
     sink.bytes(bytes.data(), bytes.size());
     return {};
@@ -271,7 +272,7 @@ std::string write_rows_with_oiio(const StoredShape& shape, const RowsOf& rows,
     OIIO::Filesystem::IOProxy* address = &proxy;
     spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &address);
     if (!output->open(nameless, spec)) return reason_of(*output);
-    constexpr int step = 64;  // a multiple of what EXR and TIFF compress at once
+    constexpr int step = 64;  // a multiple of the block height of EXR and TIFF compression
     for (int y = 0; y < shape.height; y += step) {
         const int end = std::min(y + step, shape.height);
         if (!output->write_scanlines(y, end, 0, type_of(shape.type), rows(y, end - y)) ||

@@ -1,4 +1,4 @@
-// EXR and Radiance files read, and all formats written, by OpenImageIO.
+// Reads EXR and Radiance files, and writes all formats, with OpenImageIO.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace lancer::io {
 
-/// What OpenImageIO makes anew for every process, made once for all of them.
+/// Initializes OpenImageIO once, so that forked processes need not.
 void warm_up_oiio();
 
-/// All return why they failed, empty when they did not.
+/// All functions return the reason of a failure, or an empty text.
 std::string read_with_oiio(std::string_view bytes, const std::string& format, PictureSink& sink);
 std::string write_with_oiio(const StoredShape& shape, const void* pixels, const std::string& format,
                             PictureSink& sink);
-/// The same bytes into an open file, from rows that come one after the other.
+/// The same bytes into an open file, from consecutive rows.
 std::string write_rows_with_oiio(const StoredShape& shape, const RowsOf& rows,
                                  const std::string& format, int file);
 

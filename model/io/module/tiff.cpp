@@ -18,9 +18,9 @@
 namespace lancer::io {
 namespace {
 
-// ---- What libtiff says ----
+// ---- Messages of libtiff ----
 
-/// What libtiff said last, and whether that is damage.
+/// The last message of libtiff, if any; while pixels are decoded, any message means damage.
 struct Said {
     std::string text;
     bool decoding = false;
@@ -37,7 +37,7 @@ void hear_error(const char*, const char* format, va_list arguments) {
     if (said.text.empty()) said.text = formatted(format, arguments);
 }
 
-/// While pixels are decoded libtiff warns of what it made up.
+/// While decoding, libtiff warns about pixels that it invented.
 void hear_warning(const char*, const char* format, va_list arguments) {
     if (!said.decoding || !said.text.empty()) return;
     const std::string text = formatted(format, arguments);
@@ -45,7 +45,7 @@ void hear_warning(const char*, const char* format, va_list arguments) {
     said.text = text;
 }
 
-/// Throws with what libtiff said, or else with `otherwise`.
+/// Throws with libtiff's message, or with `otherwise` when there is none.
 [[noreturn]] void fail(const std::string& otherwise) {
     throw TiffError(said.text.empty() ? otherwise : said.text);
 }
@@ -84,7 +84,8 @@ TiffLayout layout_of(TIFF* file) {
     return layout;
 }
 
-/// libtiff asks for no byte beyond the end, but some of its decoders fill up what they do not get.
+/// libtiff reads no byte after the end of the file, but some of its decoders fill in what is
+/// missing.
 void check_extents(TIFF* file, std::size_t file_size) {
     const bool tiled = TIFFIsTiled(file) != 0;
     const char* what = tiled ? "tile" : "strip";
@@ -102,7 +103,7 @@ void check_extents(TIFF* file, std::size_t file_size) {
     }
 }
 
-/// Strips and tiles are decoded as wholes, and a few bytes may claim any size for them.
+/// Strips and tiles are decoded as a whole, and a small file may claim any size for them.
 void check_strip_size(TIFF* file, const TiffLayout& layout) {
     std::uint64_t columns = layout.width;
     std::uint64_t rows = field<std::uint32_t>(file, TIFFTAG_ROWSPERSTRIP, layout.height);
@@ -116,9 +117,9 @@ void check_strip_size(TIFF* file, const TiffLayout& layout) {
                 fmt::format("tiles of {} x {} pixels: a side is longer than the {} allowed", width,
                             rows, longest_side));
         }
-        columns += width;  // a tile, and the rows of the picture that a row of tiles fills
+        columns += width;  // a tile, and the rows of the picture that a row of tiles covers
     }
-    // At most 2^18 x 2^17 pixels of 64 samples of 2^16 bits: no overflow.
+    // At most 2^18 x 2^17 pixels of 64 samples of 2^16 bits, so no overflow.
     const std::uint64_t bytes = (columns * layout.samples * layout.bits + 7) / 8 * rows;
     if (bytes > most_strip_bytes) {
         throw TiffError(fmt::format("{} of {} MiB: larger than the {} MiB that can be read at once",
@@ -127,15 +128,15 @@ void check_strip_size(TIFF* file, const TiffLayout& layout) {
     }
 }
 
-// ---- Pixels as libtiff hands them over ----
+// ---- Pixels from libtiff ----
 
-/// The raw rows of one plane: all samples of a pixel, or one of them.
+/// The raw rows of one plane: all samples of a pixel, or only one of them.
 struct Plane {
     std::unique_ptr<unsigned char[]> bytes;
     std::size_t row_bytes = 0;
 };
 
-/// Reads bands of rows: those of a strip, or of a row of tiles.
+/// Reads bands of rows: a strip, or a row of tiles.
 class Bands {
   public:
     Bands(TIFF* file, const TiffLayout& layout)
@@ -162,7 +163,8 @@ class Bands {
         if (tiled_) {
             tile_row_bytes_ = static_cast<std::size_t>(TIFFTileRowSize(file));
             pixel_bits_ = bits;
-            // Tiles begin at whole bytes, as their widths are multiples of 16 (TIFF 6.0, page 67).
+            // Tiles begin at whole bytes, because their widths are multiples of 16 (TIFF 6.0, page
+            // 67).
             if (tile_width_ % 8 != 0 && bits % 8 != 0) fail("tiles of an odd width");
             if (tile_row_bytes_ != (tile_width_ * bits + 7) / 8) fail("tiles of an unknown form");
             tile_ = std::make_unique_for_overwrite<unsigned char[]>(tile_row_bytes_ * rows_);
@@ -171,7 +173,7 @@ class Bands {
 
     std::uint32_t rows() const { return rows_; }
 
-    /// The rows from `y` on, as many as there are up to rows().
+    /// The rows from `y` on, at most rows() of them.
     const std::vector<Plane>& read(std::uint32_t y) {
         const std::uint32_t count = std::min(rows_, layout_.height - y);
         said.decoding = true;
@@ -247,7 +249,7 @@ void read_samples(TIFF* file, const TiffLayout& layout, const TiffColors& colors
     }
 }
 
-/// What libtiff alone knows to convert to RGB of 8 bits.
+/// Reads formats that only libtiff can convert, to 8-bit RGB.
 void read_converted(TIFF* file, const TiffLayout& layout, PictureSink& sink) {
     if (layout.samples != 3 || layout.bits != 8)
         throw TiffError("YCbCr and Lab are read as three samples of 8 bits only");
@@ -255,7 +257,7 @@ void read_converted(TIFF* file, const TiffLayout& layout, PictureSink& sink) {
     char reason[1024] = "";
     said.decoding = true;
     if (TIFFRGBAImageBegin(&image, file, 1, reason) != 1) throw TiffError(reason);
-    image.req_orientation = image.orientation;  // rows as they stand
+    image.req_orientation = image.orientation;  // the rows in the order of the file
     const std::size_t pixels = std::size_t{layout.width} * layout.height;
     const auto raster = std::make_unique<std::uint32_t[]>(pixels);
     const int got = TIFFRGBAImageGet(&image, raster.get(), layout.width, layout.height);
@@ -325,8 +327,8 @@ void read_file(TIFF* file, std::size_t file_size, PictureSink& sink) {
     }
 }
 
-/// Of a file that libtiff cannot open: most have their directory, of which it speaks then, at the
-/// end.
+/// For a file that libtiff cannot open. Most files have their directory at the end, and libtiff's
+/// message then only mentions the directory.
 bool ends_before_its_directory(std::string_view bytes) {
     const auto order = bytes.starts_with("MM") ? std::endian::big : std::endian::little;
     try {

@@ -1,4 +1,4 @@
-// TIFF files read by libtiff, strip by strip or tile by tile.
+// Reads TIFF files with libtiff, strip by strip or tile by tile.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace lancer::io {
 
-/// The first picture of the file: grey, RGB, palettes, CMYK (converted) and YCbCr, 1 to 16 bits and
-/// floats, in planes too. Returns why it cannot be read; strips that end beyond the file and what
-/// libtiff merely warns of while decoding are reasons. Empty when all is well.
+/// Reads the first picture of the file: grey, RGB, palettes, CMYK (converted) and YCbCr, 1 to 16
+/// bits and floats, also in separate planes. Returns the reason when it cannot be read, otherwise
+/// an empty text. Strips that end after the file, and warnings of libtiff while decoding, count as
+/// reasons.
 std::string read_tiff(std::string_view bytes, PictureSink& sink);
 
 }  // namespace lancer::io

@@ -53,7 +53,7 @@ struct TiffCloser {
     void operator()(TIFF* file) const { TIFFClose(file); }
 };
 
-/// Null when it is no TIFF file. `memory` must outlive it.
+/// Null when it is not a TIFF file. `memory` must outlive the result.
 inline std::unique_ptr<TIFF, TiffCloser> open_in_memory(TiffMemory& memory) {
     return std::unique_ptr<TIFF, TiffCloser>(
         TIFFClientOpen("picture", "r", &memory, read_memory, write_nothing, seek_memory,

@@ -38,7 +38,7 @@ Number number_at(const unsigned char* raw, std::size_t index) {
     return number;
 }
 
-/// Whole numbers of any size up to 16 bits, the highest bit first.
+/// Unpacks integers of up to 16 bits, the highest bit first.
 template <class Value>
 void unpack_bits(const unsigned char* raw, std::size_t count, int bits, bool scaled, Value* out,
                  std::size_t stride) {
@@ -82,7 +82,7 @@ SampleType type_of(const TiffLayout& layout) {
                                 layout.format));
 }
 
-/// Samples that make the colour, before and after conversion to RGB or grey.
+/// The number of colour samples, before and after conversion to RGB or grey.
 struct ColorSamples {
     std::size_t stored;
     std::size_t converted;
@@ -131,14 +131,14 @@ TiffColors colors_of(const TiffLayout& layout) {
         alpha = i;
         shape.premultiplied = associated;
     }
-    // Old files have four samples, and no word about the fourth.
+    // Old files have a fourth sample without declaring its meaning.
     if (layout.extra.empty() && extra == 1 && layout.photometric == PHOTOMETRIC_RGB) {
         alpha = 0;
         shape.premultiplied = true;
     }
     for (std::size_t c = 0; c < color.converted; ++c) colors.order.push_back(c);
     if (alpha < extra) {
-        colors.order.resize(3, 0);  // grey stands three times beside alpha
+        colors.order.resize(3, 0);  // beside alpha, grey is stored three times
         for (std::size_t c = 0; c < color.converted; ++c) colors.order[c] = c;
         colors.order.push_back(color.converted + alpha);
     }
@@ -227,7 +227,7 @@ void arrange_samples(Value* row, const TiffLayout& layout, const TiffColors& col
         } else if (layout.photometric == PHOTOMETRIC_SEPARATED) {
             if constexpr (std::is_integral_v<Value>) {
                 rgb_from_cmyk(in, 1);
-                std::copy(in + 4, in + samples, in + 3);  // alpha, after three samples now
+                std::copy(in + 4, in + samples, in + 3);  // alpha, which now follows three samples
             }
         }
         for (const std::size_t sample : colors.order) *out++ = in[sample];

@@ -1,4 +1,4 @@
-// From the samples of a TIFF file to channels: bits unpacked, palettes, inks and alpha sorted out.
+// Converts the samples of a TIFF file to channels: unpacks bits, resolves palettes, inks and alpha.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace lancer::io {
 
-/// Why a TIFF file is not read.
+/// The reason why a TIFF file is not read.
 struct TiffError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -35,19 +35,20 @@ struct TiffColors {
     std::vector<std::array<std::uint16_t, 3>> palette;
 };
 
-/// How the samples become channels. Throws TiffError for combinations that have no meaning here.
+/// The mapping of samples to channels. Throws TiffError for unsupported combinations.
 TiffColors colors_of(const TiffLayout& layout);
 
-/// Of `count` colours, in 16 bits as the specification has it, or in 8 as some programs do.
+/// Sets a palette of `count` colours, in 16 bits as in the specification, or in 8 bits as some
+/// programs write it.
 void set_palette(TiffColors& colors, std::uint16_t* const planes[3], std::size_t count);
 
-/// `count` samples from the bits at `raw`, each `stride` after the last. Whole numbers are scaled
-/// to all of Value, but for indices of a palette.
+/// Unpacks `count` samples from the bits at `raw`, each `stride` after the previous one. Integers
+/// are scaled to the full range of Value, except for palette indices.
 template <class Value>
 void unpack_samples(const unsigned char* raw, std::size_t count, const TiffLayout& layout,
                     Value* out, std::size_t stride);
 
-/// One row: the samples of each pixel into its channels. `row` is changed.
+/// Converts one row of samples to channels. `row` is changed.
 template <class Value>
 void arrange_samples(Value* row, const TiffLayout& layout, const TiffColors& colors, Value* out);
 
