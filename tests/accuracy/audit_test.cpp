@@ -1,4 +1,4 @@
-// Audits against truths that they never saw.
+// Audits compared with truths that they did not use.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ View small_view() {
     return view;
 }
 
-/// However wrong the weights are that draws go by, many audits together find the true error.
+/// However wrong the weights of the draws are, the mean of many audits is the true error.
 TEST(Audit, HasNoBias) {
     for (const char* name : {"balls", "wires", "hall"}) {
         const PlainRenderer renderer(plain_picture(name));
@@ -102,7 +102,7 @@ TEST(Estimate, WhatFewDrawsCarryHasFewEffectiveOnes) {
 }
 
 TEST(Estimate, EarlierDrawsSayHowFarTheOnesThatCountMayBeOff) {
-    const std::vector<double> lucky(100, 1e-4);  // met none of the rare large ones
+    const std::vector<double> lucky(100, 1e-4);  // met none of the rare large errors
     std::vector<double> earlier(100, 1e-4);
     for (std::size_t i = 0; i < 10; ++i) earlier[i] = 2e-3;
     const ErrorEstimate e = estimate(lucky, earlier);
@@ -116,7 +116,7 @@ TEST(Estimate, EarlierDrawsSayHowFarTheOnesThatCountMayBeOff) {
 }
 
 TEST(BestShares, FollowTheGuessThatWouldHaveServed) {
-    // Errors lie where the third guess says, and the first is wrong by far.
+    // The errors follow the third guess; the first guess is far off.
     std::vector<SeenDraw> draws;
     for (int i = 0; i < 100; ++i) {
         const bool inside = i % 4 == 0;
@@ -178,8 +178,7 @@ TEST(RareLight, IsNoticedInSparksAlone) {
     }
 }
 
-/// Squares at the horizon are smaller than a pixel, and the nets of an audit meet them all the
-/// same.
+/// The squares at the horizon are smaller than a pixel, but the nets of an audit meet all of them.
 TEST(RareLight, WhatFillsMuchOfAPixelIsNone) {
     const PlainRenderer renderer(plain_picture("checker"));
     View view;

@@ -82,7 +82,7 @@ TEST(CutShares, AreNothingWhereNothingGoesOn) {
     EXPECT_EQ(share_cut(two_mirrors(0), {1, 0}).x, 0);
 }
 
-/// A plate of green glass at which a ray from inside is reflected as a whole: its weight is tinted,
+/// A plate of green glass in which a ray from inside is totally reflected: its weight is tinted,
 /// its light is not.
 TEST(CutShares, AreNotTintedByTotalReflection) {
     Scene scene;

@@ -1,4 +1,4 @@
-// Errors that are asked for are held, and told as they are: some runs against truths.
+// Target errors are kept, and reported truly: some runs compared with truths.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,15 +54,16 @@ TEST(ErrorTarget, IntervalsHoldTheTruthAndGoalsAreHeld) {
     EXPECT_LE(tally.above, 3);
 }
 
-/// What half of an audit's draws decide, the other half is not asked; and limits are found by
-/// halves.
+/// Half of the draws of an audit decides without the other half, and the limits are found by
+/// bisection.
 TEST(ErrorTarget, DecidingTakesFewRaysWhereItIsEasy) {
     const ErrorReport report = rendered(PlainRenderer(plain_picture("balls")), 0.05, 0).report;
     EXPECT_TRUE(report.is_reached());
     EXPECT_LT(report.deciding.primary, 42000U);
 }
 
-/// Of a large picture that is mostly smooth, most pixels have one sample; the audits tell as truly.
+/// In a large picture that is mostly smooth, most pixels have one sample. The audits remain
+/// correct.
 TEST(ErrorTarget, LargePicturesTakeOneRayWhereOneWillDo) {
     View view;
     view.width = 320;
@@ -150,8 +151,8 @@ TEST(ErrorTarget, WhatCannotBeReachedIsRefusedBeforehand) {
     }
 }
 
-/// A few pixels show light that has gone through 30 mirrors; points spread over the picture miss
-/// them, and no number of samples mends what is cut there.
+/// A few pixels show light that went through 30 mirrors. Points spread over the picture miss them,
+/// and more samples do not help if limits cut this light.
 TEST(ErrorTarget, WhatLimitsCutInFewPixelsIsFoundByAuditsAndNotCut) {
     const PlainRenderer renderer([](double x, double y, const TraceLimits& limits) {
         const bool deep = std::abs(x - 40.3) < 1.7 && std::abs(y - 50.4) < 1.6;

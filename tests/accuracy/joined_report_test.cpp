@@ -1,4 +1,4 @@
-// Pictures in parts, each made for the same error by itself: what all parts together tell.
+// Pictures in parts, each made for the same target error: the error of all parts together.
 #include "accuracy/joined_report.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ TEST(JoinedReport, OfOnePartIsThatOfTheWhole) {
     }
 }
 
-/// The lower sixth has waves, and all else is flat.
+/// The lower sixth has waves; the rest is flat.
 TEST(JoinedReport, APartCountsByItsPixels) {
     const PlainRenderer renderer([](double x, double y, const TraceLimits&) {
         const double wave = std::sin(x * x / 5) * std::cos(y * 3);
@@ -137,7 +137,8 @@ TEST(JoinedReport, APartCountsByItsPixels) {
     EXPECT_NEAR(report.rays_per_pixel, (2 * 80 + rough.report.rays_per_pixel * 16) / 96, 1e-9);
 }
 
-/// Of no use alone, and of some together: the whole is told where no part is.
+/// Too few draws in each part, but enough in all together: the error of the whole is told although
+/// that of no part is.
 TEST(JoinedReport, PartsOfFewCarryingDrawsTellTogether) {
     ErrorSums part;
     part.pixels = 1000;
@@ -153,7 +154,7 @@ TEST(JoinedReport, PartsOfFewCarryingDrawsTellTogether) {
     EXPECT_TRUE(joined_report(parts).is_told);
     parts.back().deciding = parts.back().printed = TermSums(std::vector<double>(1000, 0.0));
     EXPECT_TRUE(joined_report(parts).is_told);
-    // Samples differ where no draw found anything.
+    // The samples predict an error where no draw found any.
     parts.back().predicted = 3 * 6000 * 0.003 * 0.003;
     EXPECT_FALSE(joined_report(parts).is_told);
     parts.back() = part;
@@ -185,8 +186,8 @@ TEST(JoinedReport, PartsDrawApart) {
     EXPECT_EQ(second.pixel_at(7, 17), 5U * 128 + 7);
 }
 
-/// A slope that runs over the whole picture: rows beside each other in a part, and far apart in the
-/// picture, are no reason for more samples.
+/// A slope over the whole picture. Rows that are neighbours in a part but far apart in the picture
+/// must not cause more samples.
 TEST(JoinedReport, SeamsOfStripsTakeNoMoreSamples) {
     const PlainRenderer renderer([](double, double y, const TraceLimits&) {
         return Color{1, 1, 1} * (y / 96);
@@ -234,7 +235,7 @@ TEST(JoinedReport, SharesOffAreHeldAndIntervalsHoldTheTruth) {
     }
 }
 
-/// One part has a tenth of the draws for its pixels that the other has.
+/// One part has a tenth of the draws per pixel of the other.
 TEST(JoinedReport, EndsMakeUpForPartsWithFewDraws) {
     ErrorSums part;
     part.pixels = 100;

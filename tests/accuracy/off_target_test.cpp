@@ -1,4 +1,4 @@
-// Shares of pixels that are off are held, and told as they are.
+// Target shares of pixels that are off are kept, and reported truly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ double share_off(const Image& image, const Image& truth, double steps) {
     return off / (double(image.width) * image.height);
 }
 
-/// Values of R's binom.test.
+/// The expected values are from R's binom.test.
 TEST(Binomial, IntervalsAreThoseOfTheTables) {
     const auto expect = [](std::uint64_t k, std::uint64_t n, double low, double high) {
         const ChanceInterval interval = clopper_pearson(k, n);
@@ -91,7 +91,7 @@ TEST(OffTarget, TakesFewerRaysThanEvenOnes) {
     EXPECT_LT(picture.report.rays_per_pixel, 12);
 }
 
-/// Of calm pixels a picture has many more, and few draws of them say enough.
+/// A picture has many more calm pixels, and few draws of them are sufficient.
 TEST(OffTarget, CalmPixelsHaveHalfOfTheDraws) {
     const ErrorPicture picture = rendered(PlainRenderer(plain_picture("balls")), 0.005, 4, 0);
     const OffCount& count = picture.sums.off->printed;
@@ -104,8 +104,8 @@ TEST(OffTarget, CalmPixelsHaveHalfOfTheDraws) {
     EXPECT_EQ(count.calm.off, 0U);
 }
 
-/// Specks that no sample has met, in pixels whose samples all agree: an audit meets them, and the
-/// interval holds them though nothing predicts them.
+/// Specks that no sample has met, in pixels whose samples all agree. An audit meets them, and the
+/// interval includes them although nothing predicts them.
 TEST(OffTarget, WhatNothingPredictsIsStillInTheInterval) {
     const auto speck = [](double x, double y, const TraceLimits&) {
         const double at_x = x - std::floor(x);

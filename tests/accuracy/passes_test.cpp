@@ -55,7 +55,7 @@ TEST(Passes, EachTakesFewRaysAndTogetherTheyMendThePicture) {
     std::uint64_t held = pixels;
     for (int pass = 2; pass <= 120; ++pass) {
         EXPECT_GT(run.before.at(pass), 0U);
-        // A pixel of many samples may be the last of a pass.
+        // The last item of a pass may be a pixel with many samples.
         EXPECT_LE(run.before.at(pass), std::max(pixels / 8, held / 50 + 1024)) << pass;
         held += run.before.at(pass);
     }
@@ -64,7 +64,7 @@ TEST(Passes, EachTakesFewRaysAndTogetherTheyMendThePicture) {
     EXPECT_LT(error(9), 0.8 * error(1));
     EXPECT_LT(error(30), 0.7 * error(9));
     EXPECT_LT(error(119), 0.3 * error(30));
-    // Even samples would need 1.8 times the error for as many rays at the least.
+    // Evenly distributed samples have at least 1.8 times the error for the same number of rays.
     const PlainRenderer renderer(balls);
     const View view = view_of_128();
     PictureSamples even(renderer, view, {}, 0);
@@ -84,7 +84,7 @@ TEST(Passes, TheirErrorIsTold) {
         const double error = rms_difference(picture.image, truth);
         missed += error < report.error.low || error > report.error.high;
     }
-    EXPECT_LE(missed, 4);  // by chance more once in 400 times
+    EXPECT_LE(missed, 4);  // chance exceeds this once in 400 times
     const ErrorReport sparks = run_of(plain_picture("sparks"), 25, true).picture.report;
     EXPECT_FALSE(sparks.is_told);
 }

@@ -96,7 +96,7 @@ void PlainRenderer::trace(const View&, std::span<const PicturePoint> points,
     for (std::size_t i = 0; i < points.size(); ++i)
         colors[i] = formula_(points[i].x, points[i].y, limits);
     counts.primary += points.size();
-    counts.reflected += points.size();  // there may be something to cut
+    counts.reflected += points.size();  // so that limits seem to cut something
 }
 
 Probe PlainRenderer::probe(const View&, double x, double y) const {
@@ -126,8 +126,8 @@ Image truth_of(const Formula& formula, const View& view, int fine) {
             Color sum{0, 0, 0};
             for (int j = 0; j < fine; ++j)
                 for (int i = 0; i < fine; ++i)
-                    // Each row is shifted by another part of a step, so that no edge lies along
-                    // all.
+                    // Each row is shifted by a different part of a step, so that no edge meets all
+                    // rows at the same place.
                     sum += formula(x + (i + std::fmod(0.5 + j * 0.618034, 1.0)) / fine,
                                    y + (j + 0.5) / fine, all);
             for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = sum[c] / (fine * fine);

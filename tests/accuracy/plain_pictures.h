@@ -11,7 +11,7 @@ namespace lancer::accuracy {
 
 using Formula = std::function<Color(double x, double y, const TraceLimits& limits)>;
 
-/// A renderer whose rays bring what a formula says. One thread, no geometry.
+/// A renderer whose rays return the values of a formula. One thread, no geometry.
 class PlainRenderer final : public Renderer {
   public:
     explicit PlainRenderer(Formula formula) : formula_(std::move(formula)) {}
@@ -19,7 +19,7 @@ class PlainRenderer final : public Renderer {
     Image render(const View& view, const Progress& progress, RayCounts& counts) const override;
     void trace(const View& view, std::span<const PicturePoint> points, const TraceLimits& limits,
                std::span<Color> colors, const Progress& progress, RayCounts& counts) const override;
-    /// A formula cuts nothing that one could know of.
+    /// A formula has no known cuts.
     void cut_shares(const View&, std::span<const PicturePoint>, const TraceLimits&,
                     std::span<Color> shares, const Progress&) const override {
         std::fill(shares.begin(), shares.end(), Color(0));

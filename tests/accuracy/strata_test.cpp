@@ -1,4 +1,4 @@
-// Intervals for a share of pixels of two kinds hold it as often as they say.
+// Intervals for the share of pixels of two kinds contain the true share as often as they promise.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -26,7 +26,7 @@ TEST(Strata, OfOneKindAreClopperAndPearsons) {
     }
 }
 
-/// As many draws for each pixel of both kinds, and each that is off counts as one.
+/// Both kinds have the same draws per pixel, and each pixel that is off counts as one.
 TEST(Strata, OfEqualDrawsAreThoseOfAllTogether) {
     const TwoKinds kinds{{0.75, 3000}, {0.25, 1000}, 1, true};
     for (const std::uint64_t k : {0U, 2U, 9U}) {

@@ -1,6 +1,5 @@
-// Are the intervals of --max-error right? Runs over pictures that are formulas, so that their
-// truths are known without the estimator. A line for each run, which tests/bench/study makes a
-// table and a plot of.
+// Checks the intervals of --max-error on pictures that are formulas, whose truths are known without
+// the estimator. Writes a line for each run; tests/bench/study makes a table and a plot of them.
 //
 //     bench_calibration [SEEDS [PICTURE...]]      20 by default, of all
 #include <algorithm>

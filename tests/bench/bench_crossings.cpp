@@ -19,8 +19,9 @@ using namespace lancer::extremes;
 
 constexpr int side = 256;
 
-/// A glass ball of 320 faces, as it is or turned and stretched, seen from anywhere, zoomed up to
-/// 10^12 onto a vertex or an edge. Odd pictures aim their middle ray at the very place.
+/// A glass ball with 320 faces, possibly rotated and stretched, seen from anywhere and zoomed up to
+/// 10^12 onto a vertex or an edge. The middle ray of a picture with an odd size hits this place
+/// exactly.
 Scene random_view(std::mt19937& random) {
     const Vec3d center(0.1, -0.2, 0.3);
     static const Mesh ball = icosphere(center, 1, 2);

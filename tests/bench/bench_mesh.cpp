@@ -1,5 +1,5 @@
-// How long a mesh of a million triangles takes to read, and how much memory: writes it as OBJ, PLY
-// and STL into a folder and reads each in a process of its own.
+// Measures the time and memory for reading a mesh of a million triangles: writes it as OBJ, PLY and
+// STL into a folder and reads each in a process of its own.
 //
 //     bench_mesh [FOLDER [TRIANGLES]]
 #include <sys/resource.h>
@@ -64,7 +64,7 @@ std::string obj_text(const Mesh& mesh) {
 }
 
 template <class Value>
-void append(std::string& bytes, Value value) {  // little-endian machines only, as a benchmark may
+void append(std::string& bytes, Value value) {  // little-endian machines only
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
@@ -98,7 +98,7 @@ std::string stl_bytes(const Mesh& mesh) {
     return bytes;
 }
 
-/// Runs `action` in a child and prints the child's time and largest memory. A child is started
+/// Runs `action` in a child process and prints its time and peak memory. The child is started
 /// before anything large is in memory.
 void measure(const std::string& label, const std::function<void()>& action) {
     const auto start = std::chrono::steady_clock::now();

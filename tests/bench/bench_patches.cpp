@@ -1,5 +1,5 @@
-// What a tolerance costs and brings: patches on their true surface and as triangles. Writes lines
-// of tab-separated values for tests/bench/patches.py, which makes the page of them.
+// The cost and the error of tolerances: patches on their true surface and as triangles. Writes
+// lines of tab-separated values; tests/bench/patches.py makes the page of them.
 //
 //     bench_patches SCENE.lancer [FINEST]
 //
@@ -133,8 +133,8 @@ Scene random_patches(int side, double seen) {
     return scene;
 }
 
-/// 10,000 patches of which a hundred are seen: what the picture takes with what it needs cut, and
-/// what it takes to cut them all.
+/// 10,000 patches of which a hundred are visible: the cost of the picture when only the necessary
+/// patches are cut, and the cost of cutting all of them.
 void crowd(const char* name, std::optional<double> tolerance) {
     Scene scene = random_patches(100, 10);
     scene.settings.tolerance = tolerance;

@@ -1,6 +1,6 @@
-// Numbers of points on a grid or of Sobol points with every depth and every least contribution
-// below: what each costs and brings. Costs are rays a pixel; one to a light, which brings no
-// shading, counts half.
+// Every number of points on a grid or of Sobol points with every depth and every least
+// contribution: the cost and the error of each. Costs are rays per pixel; a shadow ray, which needs
+// no shading, counts half.
 //
 //     bench_settings WIDTH HEIGHT all SCENE...         a line for each setting: for presets.py,
 //                                                      which has no use for a grid of many
@@ -41,7 +41,7 @@ struct Setting {
 
 /// What samples and limits are tried.
 struct Sweep {
-    double least_error = 0;   ///< more samples than this takes are not
+    double least_error = 0;   ///< with this error, more samples are not tried
     std::uint32_t grids = 1;  ///< n x n at most
     bool recurses = true;     ///< else limits have no effect
 };

@@ -1,5 +1,5 @@
-// Errors of pictures of a scene, judged in some thousand pixels, one drawn in each of as many
-// squares: so the truth takes as long for a large picture as for a small one.
+// Measures errors of pictures of a scene in some thousand pixels, one drawn from each of as many
+// squares. So the truth takes as long for a large picture as for a small one.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ Scene load_scene(const std::string& path);
 std::unique_ptr<Renderer> uncut_renderer(const Scene& scene);
 inline constexpr TraceLimits uncut_limits{1000, 1e-6};
 
-/// The pixels in which errors are judged, and what they should be.
+/// The pixels in which errors are measured, and their true values.
 class Judge {
   public:
     Judge(const Renderer& renderer, const View& view);
@@ -36,13 +36,13 @@ class Judge {
     };
     /// A pixel's sample of this index.
     using PointOf = std::function<PicturePoint(const Pixel&, std::uint32_t index)>;
-    /// Takes the means over the first samples of each pixel; false: that is enough.
+    /// Receives the means over the first samples of each pixel; returns false when they are enough.
     using Take = std::function<bool(std::uint32_t samples, const std::vector<Color>& means)>;
     /// The means over the first, the first two ... samples of each pixel. Adds to `rays`.
     void means(std::uint32_t most, const TraceLimits& limits, const PointOf& point_of,
                RayCounts& rays, const Take& take) const;
 
-    /// As many of n x n points on a grid.
+    /// The same for n x n points on a grid.
     static PicturePoint grid_point(const Pixel& pixel, std::uint32_t index, std::uint32_t n);
     static PicturePoint sobol_point(const Pixel& pixel, std::uint32_t index, std::uint64_t seed = 0,
                                     std::uint64_t stream = 0);

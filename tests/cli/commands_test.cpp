@@ -75,7 +75,7 @@ TEST(Commands, AFileThatCannotBeReadIsFour) {
 }
 
 TEST(Commands, AnInterruptLeavesNothingBehind) {
-    // A POV-Ray that presses Ctrl-C.
+    // A fake POV-Ray that sends the signal of Ctrl-C.
     const Workplace place;
     place.write("a.lancer", small_scene());
     place.write("povray",
@@ -124,7 +124,7 @@ TEST(Commands, AFileIsOneWhateverLinkNamesIt) {
     std::filesystem::create_symlink("a.lancer", place.path("b.lancer"));
     place.write("twice.lancer", "include \"a.lancer\" include \"b.lancer\" print a");
     EXPECT_EQ(place.run({"check", "twice.lancer"}).code, 0);
-    // A folder that holds itself has a new path for each round of a cycle.
+    // A folder that contains a link to itself has a new path for each round of a cycle.
     std::filesystem::create_symlink(".", place.path("here"));
     place.write("cycle.lancer", "include \"here/cycle.lancer\"");
     EXPECT_THAT(place.run({"check", "cycle.lancer"}).err,
@@ -202,7 +202,7 @@ TEST(Commands, CompareTakesMasksOfPicturesAndOfFolders) {
     for (const char* folder : {"one", "two", "masks"}) fs::create_directory(place.path(folder));
     ASSERT_EQ(place.run({"render", "a.lancer", "-o", "one/a.png"}).code, 0);
     ASSERT_EQ(place.run({"render", "a.lancer", "-o", "two/a.png", "-D", "size=0.805"}).code, 0);
-    // Black but for the upper left corner, where there is only background; a PPM has no curve.
+    // Black except for the upper left corner, where there is only background. A PPM has no curve.
     std::string mask = "P2 64 48 1";
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x) mask += x < 4 && y < 4 ? " 1" : " 0";
@@ -236,7 +236,7 @@ TEST(Commands, CompareNamesTwoEncodings) {
     for (const char* output : {"a.png", "a.exr", "a.ppm", "a.tif"})
         ASSERT_EQ(place.run({"render", "a.lancer", "-o", output}).code, 0);
     ASSERT_EQ(place.run({"render", "a.lancer", "-o", "linear.png", "--linear"}).code, 0);
-    // The picture as a program has it that knows no sRGB chunk: gAMA 0.45455 in its place.
+    // The picture as written by a program without sRGB chunks: gAMA 0.45455 instead.
     std::string png = place.read("a.png");
     const std::string srgb_chunk = png.substr(png.find("sRGB") - 4, 13);
     png.replace(png.find(srgb_chunk), 13, std::string("\0\0\0\4gAMA\0\0\xB1\x8F\v\xFC\x61\5", 16));

@@ -63,7 +63,7 @@ TEST_F(MaxError, IsHeldAndToldAndWritten) {
     EXPECT_EQ(told.at("asked"), 0.01);
     EXPECT_EQ(told.at("reached"), true);
     EXPECT_LE(told.at("high"), 0.01);
-    // The interval would miss once in 20 seeds; 1.3 times as wide hardly ever.
+    // The interval would miss the error once in 20 seeds; one 1.3 times as wide hardly ever does.
     EXPECT_GT(error, told.at("low").get<double>() / 1.3);
     EXPECT_LT(error, told.at("high").get<double>() * 1.3);
     EXPECT_GE(told.at("audit_rays"), 1000 * 32);
@@ -103,11 +103,11 @@ TEST_F(MaxError, ChannelsShowWhereErrorAndSamplesAre) {
 
 TEST_F(MaxError, WhatCannotBeReachedIsRefusedWithoutAPicture) {
     for (const auto& options : std::vector<std::vector<std::string>>{
-             {"--max-error", "0.00001"},               // more rays than are allowed
-             {"--max-error", "0.01", "--no-shadows"},  // wrong whatever the samples
+             {"--max-error", "0.00001"},               // needs more rays than allowed
+             {"--max-error", "0.01", "--no-shadows"},  // samples cannot reduce this error
              {"--max-error", "0.01", "--quality", "fine"},
              {"--quality", "best"},
-             {"--max-error", "0.01", "--samples", "3"},  // whose samples?
+             {"--max-error", "0.01", "--samples", "3"},  // contradicts the target error
              {"--max-error", "0.01", "--sampling", "grid"},
              {"--max-error", "0"},
              {"--max-error", "2"},
@@ -179,7 +179,7 @@ TEST_F(MaxError, PassesGiveTheSameBytesForAnyNumberOfThreads) {
     EXPECT_NE(place_.read("a.exr"), place_.read("b.exr"));
 }
 
-/// A machine with other work may be late; then the exit code says so.
+/// On a busy machine the picture may be late; then the exit code says so.
 TEST_F(MaxError, ATimeGivesAPictureThatItsPassesMakeAgain) {
     const Finished finished = render({"--time", "5", "-o", "a.png", "--stats", "s.json"});
     ASSERT_NE(finished.code, 2) << finished.err;

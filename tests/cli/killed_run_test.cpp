@@ -38,7 +38,7 @@ int render_until(const Workplace& place, const char* output, int most_stops) {
     waitpid(child, &status, 0);
     int stops = 0;
     while (WIFSTOPPED(status) && stops < most_stops) {
-        // What is not the stop of a system call is a signal for the program.
+        // A stop that is not for a system call is a signal for the program.
         const int sent = WSTOPSIG(status) == SIGTRAP ? 0 : WSTOPSIG(status);
         if (ptrace(PTRACE_SYSCALL, child, nullptr, sent) != 0) break;
         waitpid(child, &status, 0);
@@ -57,7 +57,7 @@ bool has_unnamed_files(const Workplace& place) {
     return file >= 0;
 }
 
-/// The last steps of a run, one by one: all that has to do with the picture's file.
+/// The last steps of a run, one by one: all steps on the picture's file.
 constexpr int steps_tried = 90;
 constexpr int endless = 1'000'000;
 
@@ -98,7 +98,7 @@ TEST(Killed, AFileThatIsReplacedIsTheOldOrTheNewOne) {
         render_until(place, "a.png", at);
         EXPECT_THAT(place.read("a.png"), AnyOf("old", whole)) << at;
     }
-    // A name is needed for a moment when a file is replaced: the next run removes what was left.
+    // Replacing a file needs a temporary name; the next run removes the file if it remained.
     render_until(place, "a.png", endless);
     EXPECT_THAT(place.files(), ElementsAre("a.lancer", "a.png"));
 }

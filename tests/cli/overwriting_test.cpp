@@ -1,4 +1,4 @@
-// Nothing that a command reads is written over, and no output over another.
+// No command overwrites one of its inputs, or an output by another output.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ include "part.lancer"
         remember();
     }
 
-    /// Runs, and expects wrong use before anything has been done.
+    /// Runs the command, and expects a usage error before anything was done.
     void refused(const std::vector<std::string>& arguments, const std::string& message) {
         std::string command;
         for (const std::string& argument : arguments) command += argument + " ";
@@ -51,7 +51,7 @@ include "part.lancer"
         EXPECT_EQ(files_, before) << command;
     }
 
-    /// The files that are not to change.
+    /// The files that must not change.
     void remember() {
         files_.clear();
         for (const std::string& name : place_.files())

@@ -47,7 +47,7 @@ class Parts : public testing::Test {
         words.insert(words.end(), options.begin(), options.end());
         return place_.run(words);
     }
-    /// The command line is refused with this code and message, and nothing is written.
+    /// The command is refused with this code and message, and writes nothing.
     void refused(const Finished& finished, int code, const std::string& message,
                  const std::string& output = "out.png") const {
         EXPECT_EQ(finished.code, code) << finished.err;
@@ -134,8 +134,8 @@ TEST_F(Parts, OfAnotherErrorAreRefused) {
     EXPECT_THAT(join("out.png", 3).err, HasSubstr("error 0.06"));
 }
 
-/// Specks that single rays meet: no error is told. Parts are whole all the same; the picture that
-/// they make has not what was asked for.
+/// Specks that only single rays meet: no error is told. The parts are still complete; the joined
+/// picture misses its target.
 TEST_F(Parts, DoNotFailByTheirErrorAndTheJoinedPictureDoes) {
     place_.write("a.lancer",
                  "camera { position [0, 0, 10] look_at [0, 0, 0] }\n"

@@ -1,4 +1,4 @@
-// Picture files of strangers, as a user meets them: exit codes and messages.
+// Unusual and damaged picture files: exit codes and messages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -33,8 +33,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// Adds where standard output leads. The result is a pipe's end to be closed here after the start,
-/// or -1.
+/// Directs standard output. Returns the end of a pipe that must be closed here after the start, or
+/// -1.
 int direct_output(posix_spawn_file_actions_t& actions, std::optional<BrokenOutput> broken,
                   const std::string& file) {
     if (!broken || *broken == BrokenOutput::full) {
@@ -119,7 +119,7 @@ pid_t Workplace::start(const Surroundings& surroundings, std::vector<std::string
 
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // This process may ignore SIGPIPE; the program starts as from a shell.
+    // This process may ignore SIGPIPE; the program starts with the defaults, as from a shell.
     sigset_t usual;
     sigemptyset(&usual);
     for (const int number : {SIGPIPE, SIGXFSZ}) sigaddset(&usual, number);

@@ -1,4 +1,4 @@
-// Runs the program as a user does, without a shell, and brings back all it said.
+// Runs the program as a user does, without a shell, and collects its output.
 #pragma once
 
 #include <sys/types.h>
@@ -17,14 +17,14 @@ struct Finished {
     std::string err;
 };
 
-/// Where standard output leads, when it cannot be read back.
+/// The destination of standard output when it cannot be read back.
 enum class BrokenOutput {
     full,         ///< a device without room
     closed_pipe,  ///< a pipe that nobody reads
     closed,       ///< nothing is open
 };
 
-/// What a run is given beside its arguments.
+/// The inputs of a run beside its arguments.
 struct Surroundings {
     std::string input{};                   ///< on standard input
     std::vector<std::string> variables{};  ///< NAME=value, on top of this process's environment
@@ -36,7 +36,7 @@ struct Surroundings {
 /// The program under test.
 const char* lancer_program();
 
-/// A folder of its own below the temporary one, gone when the object is. The program runs in it.
+/// A temporary folder that the destructor removes. The program runs in it.
 class Workplace {
   public:
     Workplace();
@@ -50,7 +50,7 @@ class Workplace {
                  const std::vector<std::string>& variables = {}) const;
     Finished run_in(const Surroundings& surroundings, std::vector<std::string> arguments) const;
 
-    /// The same in two steps, for what happens between them.
+    /// The same in two steps, for tests that act between them.
     pid_t start(const Surroundings& surroundings, std::vector<std::string> arguments) const;
     Finished finish(pid_t child) const;
 

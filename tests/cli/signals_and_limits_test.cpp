@@ -1,4 +1,4 @@
-// What ends a run from outside: signals, and what the system does not give.
+// Events that end a run from outside: signals, and limits of the system.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>

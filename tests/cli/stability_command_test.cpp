@@ -94,7 +94,7 @@ TEST(StabilityCommand, TellsTheWindowAsTableJsonAndPlot) {
 
 TEST(StabilityCommand, AWindowThatIsNotHeldIsOne) {
     const Workplace place;
-    // Moved by 10^20, all coordinates are one number: nothing is left to see.
+    // Moved by 10^20, all coordinates become one number, and nothing is visible.
     const Finished finished = stability(place, {"--try", "shift=1e3", "--require", "shift=1e20"});
     EXPECT_EQ(finished.code, 1);
     EXPECT_THAT(finished.out, HasSubstr("demanded shift=1e20: NOT HELD"));
@@ -121,7 +121,7 @@ TEST(StabilityCommand, SaysWhenPovRayIsMissing) {
     EXPECT_THAT(finished.out, HasSubstr("/nowhere/povray"));
 }
 
-/// Three machines share two scenes; the last run takes all from what they kept.
+/// Three machines share two scenes; the last run takes all results from the cache.
 TEST(StabilityCommand, PartsKeepWhatALastRunOverAllNeeds) {
     const Workplace place;
     place.write("a.lancer", small_scene());
@@ -153,7 +153,7 @@ TEST(StabilityCommand, PartsKeepWhatALastRunOverAllNeeds) {
     ASSERT_EQ(sweep({"--json", "joined.json"}).code, 0);
     EXPECT_EQ(place.read("joined.json"), place.read("whole.json"));
     EXPECT_EQ(nlohmann::json::parse(place.read("joined.json")).at("scenes").size(), 2U);
-    // Entries that are damaged are made anew.
+    // Damaged entries are computed again.
     for (const fs::path& entry : entries) place.write(fs::relative(entry, place.path("")), "x");
     ASSERT_EQ(sweep({"--json", "joined.json"}).code, 0);
     EXPECT_EQ(place.read("joined.json"), place.read("whole.json"));

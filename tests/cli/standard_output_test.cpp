@@ -1,4 +1,5 @@
-// Standard output: `-` is a name for it everywhere, and a result that it does not take is an error.
+// Standard output: `-` is its name for all commands, and a result that cannot be written to it is
+// an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -68,7 +69,7 @@ TEST_F(Output, ThatIsNotNeededMayBeMissing) {
         EXPECT_EQ(place_.run_in({.output = output}, {"render", "a.lancer", "-q"}).code, 0);
         EXPECT_EQ(place_.run_in({.output = output}, {"check", "a.lancer", "-q"}).code, 0);
     }
-    // Had a file of the run taken the number of the closed stream, a message would stand in it.
+    // If a file of the run had the number of the closed stream, the message would be in that file.
     const std::string picture = place_.read("a.png");
     EXPECT_EQ(place_.run_in({.output = BrokenOutput::closed}, {"render", "a.lancer"}).code, 4);
     EXPECT_EQ(place_.read("a.png"), picture);

@@ -51,7 +51,7 @@ TEST_F(Sweep, WrongUseIsToldAndNothingWritten) {
     EXPECT_EQ(place_.files(), (Words{"a.lancer", "b.lancer"}));
 }
 
-/// What a part has kept, the last run does not make again.
+/// The last run does not compute again what a part has stored.
 TEST_F(Sweep, PartsOfATradeOffKeepTheTruthsOfTheirScenes) {
     const std::string cache = place_.path("cache");
     const auto truths = [&] {

@@ -20,7 +20,7 @@ void add_corner(Stage& s, unsigned long kind, std::uint32_t glass, const Affine<
     const auto part = [&](const Shape& shape) { return Part{shape, glass, map}; };
     const Box block{Vec3d(-1), Vec3d(1)};
     switch (kind) {
-        case 0:  // a cube, each pair of its faces another part's
+        case 0:  // a cube; each pair of its faces belongs to another part
             s.add_body(Kind::intersect, {part(slab(0)), part(slab(1)), part(slab(2))}, glass);
             return;
         case 1:  // a block that three others cut

@@ -1,4 +1,4 @@
-// Bodies cut from bodies, of glass, seen where three faces of different parts meet.
+// Glass composites, seen where three faces of different parts meet.
 #pragma once
 
 #include <random>
@@ -8,14 +8,13 @@
 
 namespace lancer::extremes {
 
-/// A glass body, as it is or turned and stretched, and a camera that looks at a point of it
-/// closely.
+/// A glass body, possibly rotated and stretched, and a camera close to one of its points.
 class CloseView {
   public:
     CloseView(std::mt19937& random, int side);
 
     double unit() { return static_cast<double>(random_()) / 4294967296.0; }
-    /// Seen from one place towards another, both in the body's own space, zoomed up to 10^12.
+    /// The view from one place towards another, both in the body's own space, zoomed up to 10^12.
     Scene of(const Vec3d& from, const Vec3d& at, const Vec3d& aside);
 
   private:
@@ -26,9 +25,9 @@ class CloseView {
     Stage stage;
 };
 
-/// One of several bodies, as it is or turned and stretched, seen from anywhere, zoomed up to 10^12
-/// onto a corner, or onto an edge next to it. A picture of odd size aims its middle ray at the very
-/// place.
+/// One of several bodies, possibly rotated and stretched, seen from anywhere and zoomed up to 10^12
+/// onto a corner or a nearby edge. The middle ray of a picture with an odd size hits this place
+/// exactly.
 Scene random_corner(std::mt19937& random, int side);
 
 }  // namespace lancer::extremes

@@ -1,4 +1,4 @@
-// A camera so far away that its rays begin near the scene: nothing else may change by that.
+// A camera so far away that its rays begin near the scene: this must change nothing else.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST(FarCamera, APlaneOnTheWayHidesTheScene) {
     EXPECT_EQ(middle(s.scene).object, 0u) << "behind the camera";
 }
 
-/// From inside water without bounds, all of the way to the ball dims it.
+/// The camera is in unbounded water, which dims the light over the whole distance to the ball.
 TEST(FarCamera, TheWholeWayThroughAMediumCounts) {
     const auto light_of = [](double distance) {
         Stage s = far_ball(distance);

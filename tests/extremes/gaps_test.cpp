@@ -63,7 +63,7 @@ TEST(Gap, ContactShadow) {
     }
 }
 
-/// All orders of the objects give one picture.
+/// Every order of the objects gives the same picture.
 void expect_any_order(Scene scene, const char* what) {
     std::vector<std::size_t> order(scene.objects.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -87,7 +87,8 @@ TEST(NoGap, GluedGlassIsOneBlock) {
         for (const int n : {2, 3, 8, 32}) {
             Stage s = empty;
             for (int i = 0; i < n; ++i) {
-                // The tint of the whole block, spread over its surfaces: those inside it show none.
+                // The tint of the whole block, distributed over its outer surfaces; the inner ones
+                // have none.
                 const std::uint32_t m = s.glass(1.5, {1, 1, 1});
                 s.add(Box{{-1, 0.5 * i / n, -1}, {1, 0.5 * (i + 1) / n, 1}}, m, map);
             }
@@ -122,7 +123,7 @@ TEST(NoGap, GluedAndRestingSolidsInEveryOrder) {
             const Image image = picture(s.scene);
             const Image extended = picture(s.scene, Precision::extended);
             EXPECT_EQ(wrong(image, extended), 0) << solid << " " << angle;
-            // A gap of almost nothing lets light be totally reflected; no gap must not.
+            // A tiny gap causes total reflection; touching surfaces must not.
             Stage sunk = s;
             for (std::size_t i = 1; i < 3; ++i) {
                 const Affine<double> down = compose(map, shift({0, -1e-9, 0}));

@@ -43,7 +43,7 @@ TEST(Groups, Ellipsoid) {
     }
 }
 
-/// Opaque boxes whose faces lie in one plane, under a turn and far away: no speckle.
+/// Opaque boxes whose faces lie in one plane, rotated and far away: no speckles.
 TEST(Groups, FlushOpaqueBoxes) {
     for (const double angle : {0.0, 37.0}) {
         for (const double far : {0.0, 1e3, 1e9}) {

@@ -1,5 +1,5 @@
-// Pictures against the same in 113 bits, at half the size because those take their time; whole ones
-// are in docs/accuracy.md. And decisions that hang on a last digit.
+// Pictures compared with those in 113 bits, at half the size because these are slow;
+// docs/accuracy.md has full sizes. Also decisions that depend on the last digit.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -132,7 +132,7 @@ TEST(Leaks, EveryEdgeOfAGlassMeshIsCrossed) {
                        : compose(shift({3, 4, 5}), compose(turn(0, angle), stretched(1, 2, 0.5)));
         Stage s;
         s.scene.background = {0.25, 0.5, 0.75};
-        // Index 1, so that nothing bends and every ray ends in the background; then glass.
+        // Index 1, so that no ray is bent and all end in the background; then glass.
         s.scene.width = s.scene.height = 2;
         s.scene.settings.max_depth = 40;
         const std::uint32_t m = s.glass(1);
@@ -164,7 +164,8 @@ TEST(Leaks, EveryEdgeOfAGlassMeshIsCrossed) {
 }
 
 TEST(Leaks, Needle) {
-    // One triangle of height 10^-k, the camera squeezed alike: always the same picture.
+    // One triangle of height 10^-k, with the camera compressed in the same way: the picture is
+    // always the same.
     const auto scene = [](int k, double angle) {
         const double f = power10(-k);
         const Affine<double> map = compose(turn(2, angle), stretched(1, f, 1));

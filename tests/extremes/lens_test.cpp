@@ -1,4 +1,4 @@
-// A lens cut from two balls: near its axis it is what the lensmaker's equation says.
+// A lens made from two balls: near its axis, it follows the lensmaker's equation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,8 @@
 namespace lancer::extremes {
 namespace {
 
-/// Behind its last surface, where a ray that comes in along the axis at the height h crosses it.
+/// The distance, behind its last surface, at which a ray that enters parallel to the axis at the
+/// height h crosses the axis.
 double focal_distance(double front, double back, double thick, double ior, double h) {
     Stage s;
     const std::uint32_t glass = s.glass(ior);
@@ -38,7 +39,7 @@ TEST(Lens, OfTwoBallsHasTheFocalLengthOfTheLensmaker) {
                           d = c.thick;
         const long double power = (n - 1) * (1 / r1 - 1 / r2 + (n - 1) * d / (n * r1 * r2));
         const long double expected = (1 - (n - 1) * d / (n * r1)) / power;
-        // What is left at this height is the sphere's own aberration, below h^2.
+        // The remaining error at this height is the spherical aberration, below h^2.
         const double found = focal_distance(c.front, c.back, c.thick, c.ior, 1e-8);
         EXPECT_NEAR(static_cast<double>(found / expected), 1, 1e-12)
             << c.front << ' ' << c.back << ' ' << c.ior;

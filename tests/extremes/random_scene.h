@@ -1,4 +1,4 @@
-// Scenes that nobody chose.
+// Random scenes.
 #pragma once
 
 #include "model/scene.h"
@@ -9,7 +9,7 @@ namespace lancer::extremes {
 /// the same seed on every machine.
 Scene random_scene(unsigned seed);
 
-/// The same for every shape, material, texture, light and camera of the language.
+/// The same with every shape, material, texture, light and camera of the language.
 Scene random_anything(unsigned seed);
 
 }  // namespace lancer::extremes

@@ -1,5 +1,5 @@
-// Scenes that nobody chose: every shape, material, texture, light and transform, judged by what
-// must not change their pictures. By more digits: rows_test.cpp, last_digits_test.cpp.
+// Random scenes with every shape, material, texture, light and transform, tested by changes that
+// must not change their pictures. rows_test.cpp and last_digits_test.cpp compare with more digits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,8 +35,8 @@ TEST(Random, BitIdenticalUnderAGroupThatScales) {
     }
 }
 
-/// A tolerance that is a constant, or a share of the scene's extent, would now be larger by as much
-/// as the scene has grown.
+/// A constant tolerance, or one relative to the scene's extent, would now be larger in proportion
+/// to the scene.
 TEST(Random, WhatNobodySeesFarAwayChangesNoBit) {
     for (unsigned seed = 1; seed <= scenes; ++seed) {
         const Scene scene = random_anything(seed);

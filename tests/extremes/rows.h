@@ -1,5 +1,5 @@
-// Scenes that a number k makes extreme, and what their pictures are held to: for the tests, and for
-// the table of docs/accuracy.md, which runs them through other programs too.
+// Scenes that a number k makes extreme, and the requirements on their pictures: for the tests, and
+// for the table of docs/accuracy.md, which also renders them with other programs.
 #pragma once
 
 #include <functional>
@@ -27,10 +27,10 @@ struct Row {
     bool steady = false;     ///< `exactly_as` is one scene for all k
     bool unordered = false;  ///< a larger k is no harder
     bool bits = false;       ///< every bit counts, not only differences above 1/255
-    /// How many wrong pixels the project's aims allow at k; nothing where they ask nothing.
+    /// How many wrong pixels the project's aims allow at k; nothing when there is no aim.
     std::function<std::optional<int>(int k)> allowed;
     std::string asked;     ///< the same in words
-    bool povray = true;    ///< POV-Ray means the same by all of it
+    bool povray = true;    ///< POV-Ray has the same meaning for all of it
     bool tachyon = false;  ///< Tachyon has what it takes: balls, boxes, cylinders, triangles
     bool plotted = false;
 };
@@ -43,7 +43,7 @@ std::function<std::optional<int>(int)> none_wrong(int least, int most);
 /// For messages of failed tests.
 void PrintTo(const Row& row, std::ostream* out);
 
-// By what is extreme.
+// Grouped by what is extreme.
 std::vector<Row> rows_of_places();  ///< size, position, distance, groups
 std::vector<Row> rows_of_gaps();    ///< thin things, small gaps and none
 std::vector<Row> rows_of_shapes();  ///< rods, apices, needles, leaks

@@ -34,7 +34,7 @@ Scene plate() {
     return s.scene;
 }
 
-/// A body without itself, one kind after the other, upright and turned.
+/// A body minus itself, for several kinds of bodies, upright and rotated.
 Scene nothing_left(int k) {
     Stage s = table();
     const Shape shapes[] = {Box{{-0.7, -0.3, -0.5}, {0.8, 0.9, 0.6}}, Sphere{{0.1, 0.2, 0.3}, 0.7},
@@ -71,7 +71,7 @@ Scene joined(int count) {
     return s.scene;
 }
 
-/// What two balls that meet in a depth of 10^-k have in common, seen so that it fills the picture.
+/// The intersection of two balls with a depth of 10^-k, seen so that it fills the picture.
 Scene lens(int k) {
     const double depth = power10(-k);
     const double half = std::sqrt(depth);
@@ -146,7 +146,7 @@ std::vector<Row> rows_of_bodies() {
     beyond.plotted = true;
     Row& before =
         add("cutter that ends 10⁻ᵏ before the face: a skin stays", ks_from(1, 16), "0, k ≤ 14");
-    // Thinner than what rounding does to crossings at a distance of 5: the two happen at once.
+    // Thinner than the rounding of crossings at a distance of 5: both crossings coincide.
     before.allowed = none_wrong(1, 14);
     before.scene = [](int k) { return drilled(0.5 - power10(-k)); };
     before.same_as = [](int) { return plate(); };
@@ -159,7 +159,7 @@ std::vector<Row> rows_of_bodies() {
     glued.same_as = [](int) { return joined(1); };
     Row& sliver = add("what two balls have in common that meet in a depth of 10⁻ᵏ", ks_from(1, 15),
                       "0, k ≤ 10");
-    // The rim is thinner than what rounding does, in a band that grows with k.
+    // The rim is thinner than the rounding errors in a band that grows with k.
     sliver.scene = sliver.exactly_as = lens;
     sliver.allowed = none_wrong(1, 10);
     Row& ring = add("ring with a wall of 10⁻ᵏ, cut open", ks_from(2, 15), "0, k ≤ 13");

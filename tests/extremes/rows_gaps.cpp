@@ -15,7 +15,7 @@ Stage lit_floor(double height) {
     return s;
 }
 
-/// Near 0, where its thickness can be written.
+/// Near 0, where its thickness is representable.
 Scene opaque(bool disc, double thick) {
     Stage s = lit_floor(-1);
     const std::uint32_t red = s.matt({0.9, 0.1, 0.1});
@@ -77,7 +77,7 @@ Scene contact_shadow(const std::string& floor, int k) {
         s.add(Sphere{{0, -1, 0}, 1}, paper);
         s.add(Sphere{{0, -1, 0}, 1 + gap}, paper);
     } else {
-        // Without thickness: its far side cannot stand in for the near one.
+        // A triangle has no thickness, so its far side cannot replace the near one.
         s.add(Triangle{{Vec3d(-3, gap, -3), Vec3d(3, gap, -3), Vec3d(0, gap, 4)}}, paper);
     }
     s.lamp({0.5, 4, 1});

@@ -100,14 +100,15 @@ Scene strong_light(int k) {
     Stage s = base_stage();
     for (Material& m : s.scene.materials) {
         if (m.filter == 0 && m.reflection.x == 0) m.color *= power10(-k);
-        if (m.reflection.x > 0) m.diffuse = 0;  // mirror and glass show only the others
+        if (m.reflection.x > 0) m.diffuse = 0;  // mirror and glass show only the other objects
     }
     for (Light& light : s.scene.lights) light.color *= power10(k);
     s.scene.ambient *= power10(k);
     return s.scene;
 }
 
-/// A lamp at a height over a plane, seen from as near: all heights give one picture.
+/// A lamp close to a plane, with the camera at a proportional distance: all heights give one
+/// picture.
 Scene near_lamp(int k) {
     const double h = power10(-k);
     Stage s;

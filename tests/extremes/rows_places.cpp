@@ -88,7 +88,7 @@ Scene stretched_back(int k) {
             for (Vec3d& v : mesh.vertices) v.y /= f;
             s.scene.meshes[ref->mesh] = std::make_shared<Mesh>(mesh);
         } else {
-            // What cannot be written unevenly: stretched twice, as by two groups.
+            // What cannot be written unevenly is stretched twice, as by two groups.
             map = compose(stretched(1, 1 / f, 1), stretched(1, f, 1));
         }
         o.transform = static_cast<std::uint32_t>(s.scene.transforms.size());
@@ -181,7 +181,7 @@ std::vector<Row> rows_of_places() {
         row.ks = ks_from(6, 20);
         row.scene = [=](int k) { return seen_along(towards, k); };
         row.same_as = [=](int) { return seen_along(towards, std::nullopt); };
-        row.allowed = none_wrong(6, 20);  // more than is asked
+        row.allowed = none_wrong(6, 20);  // more than required
         row.asked = "0, k ≤ 11; 1 at 12; 245 at 13";
         row.tachyon = true;
         row.plotted = !oblique;

@@ -1,5 +1,5 @@
-// Every row of docs/accuracy.md, held to its aims; `extended` stands for 113 bits, which would take
-// too long here.
+// Every row of docs/accuracy.md must meet its aims; `extended` replaces 113 bits, which would be
+// too slow here.
 #include "tests/extremes/rows.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST_P(Rows, HoldTheirAims) {
     EXPECT_GT(asked, 0);
 }
 
-/// Right as far as the type goes, or refused: picture() checks that every value is finite.
+/// Right within the limits of the type, or refused: picture() checks that every value is finite.
 TEST_P(Rows, AreDrawnInSinglePrecision) {
     const Row& row = GetParam();
     for (const int k : row.ks) {

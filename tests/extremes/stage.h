@@ -1,4 +1,4 @@
-// Scenes for the tests of extremes, written in C++, and what their pictures are held to.
+// Scenes for the tests of extremes, built in C++.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace lancer::extremes {
 
-/// What a body is made of: a shape, the material of the faces that it brings, where it stands.
+/// A part of a body: a shape, the material of its faces, its transform.
 struct Part {
     Shape shape;
     std::uint32_t material = 0;
     Affine<double> map{};
 };
 
-/// A scene under construction, 128 x 96 pixels, one ray each, nothing cut off.
+/// A scene under construction: 128 x 96 pixels, one ray each, nothing cut.
 class Stage {
   public:
     Stage();
@@ -37,7 +37,7 @@ class Stage {
     Scene scene;
 };
 
-/// A plane with one of each: sphere, mirror, box, cylinder, cone, mesh, glass; two lamps. All
+/// A plane with a sphere, mirror, box, cylinder, cone, mesh and glass, and two lamps. All
 /// coordinates are multiples of 1/256.
 Stage base_stage();
 
@@ -48,7 +48,7 @@ Mesh cube(const Vec3d& min, const Vec3d& max);
 /// The scene with `map` put on every object, camera and light as a group's transform would be.
 Scene under(Scene scene, const Affine<double>& map);
 
-/// Half as wide and as tall, for judges that take their time.
+/// Half as wide and as tall, for slow comparisons.
 Scene half_size(Scene scene);
 
 Affine<double> stretched(double x, double y, double z);

@@ -17,7 +17,8 @@ Stage lit() {
 }
 
 TEST(Cones, ApexFromAfar) {
-    // The camera stays, the picture shrinks: to where the start's own rounding is a pixel's part.
+    // The camera stays and the picture shrinks, until the rounding of the ray's start is a part of
+    // a pixel.
     const auto scene = [&](int k) {
         Stage s = lit();
         s.add(Cone{{0, -1, 0}, {0, 0, 0}, 0.75, 0}, s.matt({0.9, 0.8, 0.7}));

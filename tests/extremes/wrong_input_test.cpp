@@ -1,4 +1,5 @@
-// Numbers at the end of the range: a right picture or an error, never NaN and never for ever.
+// Numbers at the limits of the range: a right picture or an error, never NaN and never an endless
+// loop.
 #include <gtest/gtest.h>
 
 #include "model/diagnostic.h"
@@ -101,7 +102,7 @@ TEST(WrongInput, NumbersNextToZero) {
     }
 }
 
-/// Light that leaves the range is an error and no picture of NaN.
+/// Light that overflows is an error, not a picture with NaN.
 TEST(WrongInput, LightBeyondAllNumbers) {
     for (const double x : {1e30, 1e100, 1e200, 1.7e308}) {
         Stage s = base_stage();

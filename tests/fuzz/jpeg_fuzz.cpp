@@ -1,4 +1,4 @@
-// The reader of JPEG files, without the process around it.
+// The JPEG reader, without the picture process.
 #include "model/io/module/jpeg.h"
 
 #include "model/io/image_checks.h"

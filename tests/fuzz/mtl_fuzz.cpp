@@ -1,4 +1,4 @@
-// Materials, whatever the file says: numbers in their ranges, or a FileError that names it.
+// Any MTL text: values in their ranges, or a FileError that names the file.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

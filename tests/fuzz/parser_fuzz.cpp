@@ -1,5 +1,5 @@
-// Scripts, whatever they say: no crash, no leak, every message has its place, and a scene without
-// errors keeps what its structs promise. Reads no file: the names in a script find small ones.
+// Any script: no crash, no leak, every message has a place, and a scene without errors satisfies
+// the conditions of its structs. Reads no file: names in a script lead to small built-in files.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,8 +66,8 @@ void check_scene(const Scene& scene) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Limits limits;
-    // Low, so that thousands of inputs a second are tried: a loop that ends at its two hundredth
-    // turn shows as much as one that ends at its millionth.
+    // Low limits, so that thousands of inputs per second are tried. A loop that ends at its two
+    // hundredth iteration is as good a test as one that ends at its millionth.
     limits.statements = 200;
     limits.list_elements = 1'000;
     limits.objects = 50;

@@ -25,7 +25,7 @@ int main() {
     words.erase("");
     for (const std::string_view word : words)
         std::printf("\"%.*s \"\n", static_cast<int>(word.size()), word.data());
-    // What a value, a block and a statement look like, and what none may hold.
+    // Typical values, blocks and statements, and pieces that are not allowed anywhere.
     for (const char* piece : {"[0, 0, 1]",
                               "[1, 2]",
                               "[[0, 0], [1, 0], [0, 1]]",

@@ -1,5 +1,5 @@
-// Files of every format, read as textures are: whatever happens in the picture process, here there
-// is a whole picture of finite values or a FileError that names the file.
+// Files of every format, read like textures. Whatever happens in the picture process, the result is
+// a complete picture of finite values or a FileError that names the file.
 #include <unistd.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string_view text = error.what();
         require(text.find(name) != std::string_view::npos);
         for (const char c : text) require(static_cast<unsigned char>(c) >= ' ');
-        // The program itself is there, and its module.
+        // A failure must not come from a missing program or module.
         require(text.find("cannot start") == std::string_view::npos);
         require(text.find("cannot be loaded") == std::string_view::npos);
     }

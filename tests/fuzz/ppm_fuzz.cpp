@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Floats may be any; there must be as many as the size says.
+/// Floats may have any value; their number must fit the size.
 void fuzz_floats(std::string_view bytes) {
     using namespace lancer;
     if (!io::is_pfm(bytes)) return;

@@ -1,5 +1,5 @@
-// What a picture process left that a file had taken over: a whole picture, the bytes of a file, or
-// a reason on one line.
+// The output of a picture process that a file has taken over: a complete picture, the bytes of a
+// file, or a reason on one line.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

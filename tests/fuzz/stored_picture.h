@@ -1,4 +1,4 @@
-// A sink for fuzzing the readers that sit behind the picture process: it checks what they promise.
+// A sink for fuzzing the readers of the picture process: it checks what they promise.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ class CountingSink : public PictureSink {
     }
     void bytes(const void* data, std::size_t size) override {
         const auto* values = static_cast<const unsigned char*>(data);
-        for (std::size_t i = 0; i < size; ++i) sum_ = sum_ * 31 + values[i];  // all can be read
+        // checks that all bytes are readable
+        for (std::size_t i = 0; i < size; ++i) sum_ = sum_ * 31 + values[i];
         count_ += size;
     }
     bool whole() const {
@@ -34,7 +35,7 @@ class CountingSink : public PictureSink {
     std::uint64_t sum_ = 0;
 };
 
-/// Reads the bytes twice: a reason or a whole picture, and both times the same.
+/// Reads the bytes twice. The result is a reason or a complete picture, the same both times.
 template <class Read>
 int fuzz_stored_picture(const std::uint8_t* data, std::size_t size, Read read) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -1,4 +1,4 @@
-// The reader of TIFF files, without the process around it.
+// The TIFF reader, without the picture process.
 #include "model/io/module/tiff.h"
 
 #include "tests/fuzz/stored_picture.h"

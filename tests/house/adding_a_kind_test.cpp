@@ -37,7 +37,7 @@ std::vector<Place> places_of(const std::string& page_path) {
     return places;
 }
 
-/// A folder of headers that stand before the project's.
+/// A folder of headers that take precedence over the project's.
 class ChangedHeaders {
   public:
     explicit ChangedHeaders(const std::string& name)
@@ -45,7 +45,7 @@ class ChangedHeaders {
     }
     ~ChangedHeaders() { fs::remove_all(path_); }
 
-    /// A variant has one struct more, which nobody knows.
+    /// Adds an unknown struct to a variant.
     void widen_variant(const std::string& header, const std::string& variant) {
         std::string text = read_text(root / header);
         const std::size_t at = text.find("using " + variant);
@@ -53,7 +53,7 @@ class ChangedHeaders {
         text.insert(text.rfind("\n\n", at), "\n\nstruct Newcomer {};");
         write(header, text);
     }
-    /// An enumeration has one name more. `before` is how its definition begins.
+    /// Adds a name to an enumeration. `before` is the begin of its definition.
     void widen_enumeration(const std::string& header, const std::string& before) {
         std::string text = read_text(root / header);
         const std::size_t at = text.find(before);
@@ -62,7 +62,7 @@ class ChangedHeaders {
         write(header, text);
     }
 
-    /// What the compiler says of a source.
+    /// The compiler's errors for a source.
     std::string errors_of(const std::string& source) const {
         const fs::path log = path_ / "log";
         const std::string level =
@@ -84,7 +84,7 @@ class ChangedHeaders {
     fs::path path_;
 };
 
-/// A header is compiled by a file that uses it.
+/// A header is compiled through a file that includes it.
 std::string source_of(const std::string& file) {
     if (file.ends_with(".cpp")) return file;
     if (file == "model/light_facts.h") return "cli/scene_summary.cpp";
@@ -93,7 +93,7 @@ std::string source_of(const std::string& file) {
                                             : "tracer/render_double.cpp";
 }
 
-/// \param added  where the page says to begin: not looked at
+/// \param added  the places that the page names first; these are not checked
 void expect_all_fail(const ChangedHeaders& headers, const std::vector<Place>& places,
                      const std::set<std::string>& added) {
     std::map<std::string, std::string> all_errors;  // by source

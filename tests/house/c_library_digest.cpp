@@ -1,5 +1,5 @@
-// Prints a digest of what the C library's functions give, bit by bit: it depends on which of its
-// versions for this processor the library has chosen.
+// Prints a digest of results of the C library's functions, bit by bit. It depends on the versions
+// that the library has chosen for this processor.
 #include <bit>
 #include <cmath>
 #include <cstdint>

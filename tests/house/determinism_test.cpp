@@ -9,7 +9,7 @@
 namespace lancer::cli {
 namespace {
 
-/// Reaches every transcendental function that a picture depends on: highlights, fades, absorption,
+/// Calls every transcendental function that a picture depends on: highlights, fades, absorption,
 /// rotations, mappings, the script's own mathematics.
 std::string scene_with_everything() {
     return small_scene() + R"(
@@ -53,11 +53,11 @@ TEST_F(SameBytes, ForAnyNumberOfThreadsWhenAnErrorIsAskedFor) {
     EXPECT_TRUE(one == picture("3", {}, options));
 }
 
-/// glibc chooses its sin, exp and pow by these; 2.36 knows them under both spellings.
+/// glibc chooses its sin, exp and pow by these settings; version 2.36 knows both spellings.
 const std::string old_processor =
     "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-AVX2,-FMA,-FMA4_Usable,-FMA4";
 
-/// What the C library's functions give, bit by bit.
+/// The results of the C library's functions, bit by bit.
 std::string c_library_digest(const std::string& variable) {
     const std::string command = "env " + variable + " '" LANCER_C_LIBRARY_DIGEST "'";
     std::string digest;

@@ -1,4 +1,4 @@
-// What the pages say about the sources is still so.
+// Statements of the documentation about the sources are true.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

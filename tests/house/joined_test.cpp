@@ -1,5 +1,5 @@
-// cmake/joined.cmake compiles several sources of a library as one, where a private name may stand
-// once. The presets for developers do not, so this test looks.
+// cmake/joined.cmake compiles several sources of a library as one, so a private name must be unique
+// among them. The presets for developers do not join, so this test checks it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ std::vector<std::string> words_apart(const std::string& folder) {
     return {std::istream_iterator<std::string>(words), {}};
 }
 
-/// What a line at the left edge declares: a type, a variable or an alias under its name, a function
-/// under all that its line tells of it, as others may have the name with other parameters.
+/// The declaration on a line without indentation: a type, a variable or an alias by its name; a
+/// function by the whole line, since others may have the same name with other parameters.
 std::string declared_in(const std::string& line) {
     static const std::regex type(R"re(^(struct|class|enum class|enum) (\w+).*\{)re");
     static const std::regex alias(R"re(^using \w+ = .*;)re");
@@ -39,7 +39,7 @@ std::string declared_in(const std::string& line) {
     static const std::regex function(R"re(^[\w:].* [*&]?(\w+\(.*))re");
     std::smatch match;
     if (std::regex_search(line, match, type)) return match[2].str();
-    if (std::regex_search(line, alias)) return "";  // the same twice is allowed
+    if (std::regex_search(line, alias)) return "";  // repeating an alias is allowed
     if (std::regex_search(line, match, variable)) return match[2].str();
     if (std::regex_search(line, match, function)) return match[1].str();
     return "";

@@ -1,4 +1,4 @@
-// Every word of the language stands in a scene, so that each is rendered by somebody.
+// Every word of the language occurs in a scene, so that each is rendered by some test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scripts below scenes/ without those that are wrong on purpose, comments and strings left
-/// out.
+/// The scripts below scenes/, except those with intended errors, without comments and strings.
 std::vector<std::string> scripts() {
     std::vector<std::string> texts;
     const std::regex comment(R"re(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/|"[^"\n]*")re");

@@ -1,4 +1,4 @@
-// No function with a level's instructions can take the place of another object's.
+// No function compiled for a level can replace the same function of another object.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,15 +18,16 @@ std::string output_of(const std::string& command) {
     return output;
 }
 
-/// A linker takes a weak function from any of the objects that hold it. So the objects of a level
-/// may define none outside of the level's namespace, and nothing else but their one entry.
+/// A linker may take a weak function from any object that defines it. So the objects of a level may
+/// define weak functions only in the namespace of the level, and beside it only their entry
+/// function.
 TEST(Levels, ObjectsDefineNothingOutsideOfTheirNamespace) {
     const std::string objects = LANCER_LEVEL_OBJECTS;
     std::istringstream list(objects);
     int seen = 0;
     for (std::string object; std::getline(list, object, ' ');) {
         const std::string level = object.find("avx512") != std::string::npos ? "avx512" : "avx2";
-        // Of lancer::wide::avx512, as symbols spell it: not all of them can be told in C++'s way.
+        // lancer::wide::avx512 as a mangled name; not all symbols can be demangled.
         const std::string space = "6lancer4wide" + std::to_string(level.size()) + level;
         const std::string entry =
             "_ZN6lancer4wide" + std::to_string(11 + level.size()) + "trace_rays_" + level;

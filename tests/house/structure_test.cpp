@@ -140,7 +140,7 @@ TEST(Structure, ArchitectureNamesEveryRoomOfTheTracer) {
 }
 
 TEST(Structure, LibraryHeadersStopInTheirFolder) {
-    // Header prefix, and the only places that may name it. fmt may stand anywhere.
+    // A prefix of headers, and the only places that may name it. fmt is allowed everywhere.
     const std::vector<std::pair<std::string, std::vector<std::string>>> homes{
         {"<glm/", {"model/math.h"}},
         {"<sleef", {"model/elementary.cpp", "tracer/wide/"}},
@@ -159,7 +159,7 @@ TEST(Structure, LibraryHeadersStopInTheirFolder) {
         {"<nlohmann/", {"judge/", "reference/", "cli/"}},
         {"<fmt/", {""}},
     };
-    // The system's own, by their names without the standard library's, which have no dot.
+    // The system's headers by their names; names of the standard library have no dot.
     static const std::regex system(
         R"re(<((sys|linux|asm)/.*|(unistd|fcntl|signal|pthread|dlfcn|spawn|sched|poll|malloc)\.h|)re"
         R"re(\w*intrin\.h|cpuid\.h))re");

@@ -1,5 +1,5 @@
-// A module that does what a damaged picture could make a library do. The "picture" is the word that
-// says what.
+// A module that misbehaves like a library with a damaged picture. The "picture" is a word that
+// selects the misbehaviour.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <sys/socket.h>
@@ -78,7 +78,7 @@ std::string misbehave(std::string_view bytes, PictureSink& sink) {
         for (int i = 3; i < 1024; ++i) open_ones += lseek(i, 0, SEEK_CUR) >= 0 ? 1 : 0;
         return std::to_string(open_ones);
     }
-    if (what == "few") {  // pixels fewer than it said
+    if (what == "few") {  // fewer pixels than announced
         sink.shape(shape);
         sink.bytes("abc", 3);
         return "";

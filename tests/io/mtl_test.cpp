@@ -77,7 +77,7 @@ const std::string lone_square =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nmtllib a.mtl\nf 1 2 3 4\nusemtl red\nf 1 2 3 4\nusemtl "
     "blue\nf 1 2 3\nusemtl red\nf 1 3 4\nf 1 1 2\n";
 
-/// The materials of an OBJ file of this text, from these files and no others.
+/// The materials of an OBJ file with this text; only these other files exist.
 ObjMaterials found(const std::string& obj, const std::map<std::string, std::string>& all,
                    const std::string& path = "t.obj") {
     return find_materials(read_mesh(obj, path), path, [&](const std::string& library) {

@@ -1,4 +1,5 @@
-// Our OBJ reader against tinyobjloader, which shares no line with it, on files that both accept.
+// Our OBJ reader compared with tinyobjloader, which shares no code with it, on files that both
+// accept.
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <fmt/format.h>

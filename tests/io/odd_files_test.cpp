@@ -1,5 +1,4 @@
-// Meshes and materials as programs of many makers write them: each file odd in a way of its own,
-// and right.
+// Meshes and materials as many programs write them: each file is unusual in its own way, and valid.
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Pictures that say which way up they are (TIFF has its own test).
+// Pictures with an orientation (TIFF has its own test).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ std::string exif(std::uint32_t orientation, bool big) {
 
 TEST(Jpeg, IsShownUpright) {
     const ScratchFolder folder;
-    // A picture of four fields, their values as they stand when it is upright.
+    // A picture of four fields, with their values in the upright picture.
     const auto field = [](int x, int y) { return 0.1 + 0.5 * y + 0.3 * x; };
     for (std::uint32_t orientation = 1; orientation <= 8; ++orientation) {
         const bool turned = orientation >= 5;

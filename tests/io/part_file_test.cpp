@@ -1,5 +1,5 @@
-// Parts of pictures as files, pictures that are written row by row, and what a picture's file tells
-// of its origin.
+// Parts of pictures as files, pictures that are written row by row, and the origin that a picture's
+// file records.
 #include "model/io/part_file.h"
 
 #include <gmock/gmock.h>

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A program of its own beside the module that misbehaves, as an installation has them.
+/// A program and a misbehaving module beside it, as in an installation.
 class PictureProcess : public testing::Test {
   protected:
     PictureProcess() {
@@ -67,7 +67,7 @@ TEST_F(PictureProcess, IsBoundedInTimeAndMemory) {
     EXPECT_THAT(problem("spin"),
                 HasSubstr("longer than the allowed 1 s (--limit-picture-seconds)"));
     EXPECT_THAT(problem("sleep"), HasSubstr("longer than the 1 s allowed"));
-#ifndef __SANITIZE_ADDRESS__  // its shadow memory has no bounds
+#ifndef __SANITIZE_ADDRESS__  // the shadow memory exceeds any limit
     EXPECT_THAT(problem("memory"), HasSubstr("more memory than the 64 MiB allowed"));
 #endif
     set_picture_limits({32, 10});
@@ -115,7 +115,7 @@ TEST_F(PictureProcess, ThatIsMissingOrNoneOfOursIsAnError) {
     EXPECT_THAT(problem("picture"), HasSubstr("lancer_images.so is missing"));
 }
 
-// What a process wrote that a picture had taken over.
+// The output of a process that a picture has taken over.
 TEST(SharedPicture, IsCheckedInEveryByte) {
     const SharedMemory memory;
     SharedSink sink(memory.descriptor());

@@ -18,7 +18,7 @@ namespace {
 
 using Naming = TemporaryFile::Naming;
 
-/// Whether files without a name can be had where the tests work.
+/// Whether the file system of the tests supports files without names.
 bool has_unnamed_files(const ScratchFolder& folder) {
     const int file = open((folder / "").c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     if (file >= 0) close(file);
@@ -74,7 +74,7 @@ TEST_P(BothNamings, AnotherProcessCanOpenIt) {
     const TemporaryFile file(folder_ / "", "", "a", GetParam());
     const pid_t child = fork();
     if (child == 0) {
-        close(file.descriptor());  // as it is in a program that has been started
+        close(file.descriptor());  // as in a program that was started
         put(file.name(), "from the child");
         _exit(0);
     }
@@ -116,7 +116,8 @@ TEST(TemporaryFile, NobodyRemovesWhatIsInUseOrHasAnotherName) {
     std::filesystem::create_symlink(".lancer-notes", folder / ".lancer-1-2-11234567");
     put(folder / ".lancer-1-2-21234567.png", "left behind");
     EXPECT_EQ(folder.entries(), 10u);
-    remove_leftover_files(folder / "./");  // a name that the constructor above has not looked at
+    // another name for the folder, which was not examined before
+    remove_leftover_files(folder / "./");
     EXPECT_EQ(folder.entries(), 9u);
     EXPECT_FALSE(std::filesystem::exists(folder / ".lancer-1-2-21234567.png"));
 }

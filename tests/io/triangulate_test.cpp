@@ -34,8 +34,8 @@ Vec3d area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     return cross(b - a, c - a) * 0.5;
 }
 
-/// The triangles have the polygon's area together, and each turns the same way: in the plane that
-/// means they cover it without overlap.
+/// Checks that the triangles together have the area of the polygon and all turn the same way: in
+/// the plane, this means that they cover it without overlap.
 void expect_covers(const std::vector<Vec3d>& points, const Triangles& triangles, Vec3d normal) {
     Vec3d outline{0, 0, 0};
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -72,7 +72,7 @@ TEST(Triangulate, AConcaveQuadrilateralIsCutAtItsReflexCorner) {
     }
 }
 
-/// A comb: a bar with teeth, as concave as can be.
+/// A comb: a bar with teeth, an extremely concave polygon.
 std::vector<Vec3d> comb(int teeth) {
     std::vector<Vec3d> points{{0, 0, 0}, {2.0 * teeth, 0, 0}};
     for (int i = teeth - 1; i >= 0; --i) {
@@ -202,7 +202,8 @@ TEST(Degenerate, DoesNotDependOnTheOrderOfCorners) {
         const Vec3d off(0, 0, std::ldexp(uniform(random), -static_cast<int>(random() % 60)));
         const Vec3d b = a + d * 0.3;
         const Vec3d c = a + d + off;
-        // Edges are rounded differences, so exactly at the bound orders may differ: stay clear.
+        // Edges are rounded differences, so at the bound the result may depend on the order: avoid
+        // that range.
         const double angle = length(cross(b - a, c - b)) / (length(b - a) * length(c - b));
         if (angle > 1e-16 && angle < 1e-15) continue;
         EXPECT_EQ(is_degenerate(a, b, c), is_degenerate(b, c, a));

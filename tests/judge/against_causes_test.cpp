@@ -1,5 +1,5 @@
-// One fault after the other that makers of ray tracers commit, planted in furnished scenes: each
-// is named, and no shift is blamed beside it.
+// Typical errors of ray tracers, inserted one by one into complex scenes: each is named, and no
+// shift is reported in addition.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

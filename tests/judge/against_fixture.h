@@ -78,7 +78,7 @@ class Drawn {
     Scene scene_;
 };
 
-/// What another program makes of the scene: here by numbers of another precision, and rounded.
+/// The picture of another program: here rendered in another precision and rounded.
 inline Image rendered(const Scene& scene, double shift_x = 0, double shift_y = 0) {
     Settings settings = scene.settings;
     settings.precision = Precision::extended;

@@ -1,5 +1,5 @@
-// POV-Ray's own pictures, judged as files: every scene of the collection has the classes that a
-// validation gives its pixels, but for those that take POV-Ray itself.
+// POV-Ray's own pictures, judged as files: in every scene of the collection, pixels have the same
+// classes as in a validation, except for classes that need POV-Ray itself.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST_F(AgainstPovRay, EveryPixelOfEverySceneHasTheSameClass) {
             if (p.took_povray) took_povray.insert(static_cast<std::size_t>(p.y * width + p.x));
         for (std::size_t i = 0; i < asked.size(); ++i) {
             different += asked[i] == PixelClass::agrees ? 0 : 1;
-            // A scene whose faces coincide may show them anywhere; all else is rare.
+            // A scene with coincident faces may have these differences anywhere; others are rare.
             if (asked[i] == PixelClass::coincident)
                 EXPECT_FALSE(both.asked.coincidences.empty()) << both.path;
             else

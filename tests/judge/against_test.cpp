@@ -1,4 +1,4 @@
-// Pictures with planted faults and without: what `validate --against` makes of them.
+// `validate --against` on pictures with and without inserted errors.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,13 +21,13 @@ struct Planted {
     std::string cause;  ///< what the words must hold
 };
 
-/// Hundredths of a pixel, up to one to either side.
+/// Hundredths of a pixel, up to one pixel to either side.
 double drawn_shift(Drawn& drawn) {
     return (drawn.one_of(2) == 0 ? -0.01 : 0.01) * (5 + drawn.one_of(96));
 }
 
-/// What is said of a picture whose rays go (x, y) pixel beside the centres: it has moved the other
-/// way.
+/// The message for a picture whose rays pass (x, y) pixel beside the centres: the picture has moved
+/// in the opposite direction.
 std::string shift_words(double x, double y) {
     std::string words = "the picture is shifted by ";
     if (x != 0) words += fmt::format("{:g} pixel to the {}", std::abs(x), x > 0 ? "left" : "right");
@@ -36,7 +36,7 @@ std::string shift_words(double x, double y) {
     return words + ":";
 }
 
-/// The fault number `kind`, its amount drawn.
+/// The error number `kind` with a random amount.
 Planted plant(Drawn& drawn, int kind) {
     Scene scene = drawn.scene();
     const auto valued = [&](auto map) {
@@ -147,7 +147,7 @@ TEST_F(Against, NamesNoCauseWhereThereIsNoFault) {
 }
 
 TEST_F(Against, NamesNoCauseOfWhatIsNone) {
-    // Noise, two faults at once, and a spot: all differ, and nothing plain explains them.
+    // Noise, two errors at once, and a spot: all differ, and no simple explanation exists.
     Drawn drawn(7);
     Image noise = rendered(drawn.scene());
     for (double& value : noise.data) value += drawn.between(-0.01, 0.01);

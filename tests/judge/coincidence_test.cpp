@@ -1,5 +1,5 @@
-// Coincident faces: POV-Ray resolves them by no rule, so it is asked once more with the faces told
-// apart as our contact rule tells them apart. A fault of ours must not hide there.
+// Coincident faces. POV-Ray has no rule for them, so it renders once more with the faces told apart
+// by our contact rule. An error of ours must not hide there.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,15 +25,15 @@ class CoincidentFaces : public Validate {
         return text;
     }
 
-    /// Some pixels differ because of the faces in one place, and no others remain.
+    /// Some pixels differ because of coincident faces, and no other differences remain.
     void expect_coincident(const Scene& scene) {
         const Validation v = validate(scene);
         EXPECT_EQ(v.verdict, Verdict::agrees) << unexplained(v);
         EXPECT_GT(v.judgement.count(PixelClass::coincident), 0u);
     }
 
-    /// The fault shows in our picture, is unexplained in many places where it shows (the others lie
-    /// near edges), and is nowhere excused by the faces in one place.
+    /// The error is visible in our picture and unexplained at many of these pixels (the others lie
+    /// near edges), and coincident faces never excuse it.
     void expect_not_excused(const Scene& scene, const Fault& fault) {
         const Validation right = validate(scene);
         const Validation v = validate(scene, fault);
@@ -68,7 +68,8 @@ Material clear(double ior, double transmission = 0.9) {
     return m;
 }
 
-/// Deep enough for every path: faces told apart are two levels where coincident ones are one.
+/// Deep enough for every path: faces that are told apart take two levels where coincident faces
+/// take one.
 Scene stage() {
     Scene scene = empty_scene();
     scene.background = {0.5, 0.7, 0.9};
@@ -86,8 +87,8 @@ Affine<double> turn(int u, int v, double angle) {
     return map;
 }
 
-/// Leaning, so that rounding decides what POV-Ray finds where faces coincide; `turned` about the
-/// vertical before.
+/// Tilted, so that rounding decides which coincident face POV-Ray finds; first rotated by `turned`
+/// about the vertical.
 std::uint32_t add_leaning(Scene& scene, double turned = 0) {
     return add_transform(scene,
                          compose(turn(1, 2, 0.19), compose(turn(0, 1, 0.37), turn(2, 0, turned))));
@@ -119,9 +120,10 @@ TEST_F(CoincidentFaces, AFaultInSuchASceneIsUnexplained) {
     const std::vector<Fault> faults{
         [](Scene& ours) { ours.materials[1].ior += 0.01; },
         [](Scene& ours) { ours.materials[1].transmission -= 0.01; },
-        // The contact rule: air between the glass and the table, which one sees through the sides.
+        // Violates the contact rule: air between the glass and the table, visible through the
+        // sides.
         [](Scene& ours) { std::get<Box>(ours.objects[0].shape).min.y += 1e-3; },
-        // The contact rule: the glass shown in place of the table.
+        // Violates the contact rule: the glass is shown instead of the table.
         [](Scene& ours) {
             ours.objects[1].transform = static_cast<std::uint32_t>(ours.transforms.size());
             Affine<double> lowered = ours.transforms[ours.objects[0].transform];
@@ -142,7 +144,8 @@ TEST_F(CoincidentFaces, GluedBlocksOfOneGlass) {
     add_object(scene, Box{{0, -0.6, -0.4}, {0.9, 0.4, 0.4}}, glass).transform = leaning;
     add_table(scene, leaning);
     expect_coincident(scene);
-    // One of two glued blocks of another glass: a surface that POV-Ray's second picture has not.
+    // One of two glued blocks has another glass: this adds a surface that POV-Ray's second picture
+    // does not have.
     expect_not_excused(scene, [](Scene& ours) {
         ours.objects[1].material = add_material(ours, clear(1.41, 0.8));
     });

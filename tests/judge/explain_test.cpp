@@ -15,7 +15,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using tiny::World;
 
-/// The judge's word on a picture of `other`, taken for another program's rendering of `world`.
+/// The judgement of a picture of `other`, as if another program had rendered `world`.
 Judgement judge_worlds(const World& world, const World& other, const Thresholds& limits = {}) {
     return judge_pictures(tiny::Tracer(world).render(), tiny::Tracer(other).render(true),
                           tiny::probe_of(world), limits);
@@ -47,8 +47,8 @@ TEST(Judge, FindsTheEdgesOfThePictureAndNotMore) {
     EXPECT_LT(j.edge_pixels, j.pixels / 2);
 }
 
-/// Cells whose border runs exactly through a row of pixel centres: which side a centre falls on is
-/// decided by the last bit.
+/// Cells whose border runs exactly through a row of pixel centres, so that the last bit decides on
+/// which side a centre lies.
 World tied() {
     World world;
     world.balls.clear();
@@ -111,7 +111,7 @@ TEST(Judge, NamesTheKindOfEdge) {
             const Probe before = probe(low, y + 0.5);
             const Probe after = probe(high, y + 0.5);
             if (distance(before.color, after.color) < 0.1) continue;
-            // Glass on its very limb takes a value of its own, in a band thinner than any pixel is.
+            // At its silhouette, glass has a value of its own in a band thinner than any pixel.
             if (distance(probe(high + 1e-9, y + 0.5).color, after.color) > 1e-3) continue;
             const auto edge = find_nearby_edge(probe, low, y + 0.5, after.color, 0.01, 1e-4);
             ASSERT_TRUE(edge) << x << " " << y;
@@ -208,8 +208,8 @@ TEST(Judge, DoesNotTakeOurOwnFaultForTheOthersRule) {
     EXPECT_GT(j.count(PixelClass::unexplained), 5000u) << summary(j);
 }
 
-/// Our picture, theirs with one pixel that is brighter by 0.05, and theirs around that pixel, from
-/// the upper left, brighter by so much.
+/// Our picture; their picture with one pixel brighter by 0.05; and their values around that pixel,
+/// from the upper left, brighter by `brighter`.
 Judgement judge_outlier(const std::array<double, 9>& brighter, int outliers = 1) {
     const World world;
     const Image ours = tiny::Tracer(world).render();
@@ -281,7 +281,7 @@ TEST(Judge, AllowsFewOutliers) {
     EXPECT_EQ(many.count(PixelClass::outlier), many.pixels / 10000) << summary(many);
 }
 
-/// A world's picture but for one pixel, where both programs are asked about a slope of `slope` per
+/// The picture of a world, except for one pixel where both programs see a slope of `slope` per
 /// pixel.
 Judgement judge_slope(double slope) {
     const World world;
@@ -341,7 +341,7 @@ TEST(Judge, EndsWhenItsRaysAreUsedUpAndSaysSo) {
     EXPECT_GT(some.not_looked_at, 0u);
     EXPECT_LT(some.not_looked_at, some.count(PixelClass::unexplained));
     EXPECT_GE(some.count(PixelClass::unexplained), all.count(PixelClass::unexplained));
-    // Edges are looked for alike; a pixel that is begun is finished.
+    // The search for edges is the same; a pixel that was begun is finished.
     EXPECT_LT(some.rays, bound + 10000);
     EXPECT_EQ(looks_without_bound - looks, all.rays - some.rays);
     EXPECT_THAT(some.failures, Contains(HasSubstr("were not examined: explaining ended after")));
@@ -369,7 +369,7 @@ TEST(Judge, LooksFirstWhereFacesToldApartDoNotHelp) {
     EXPECT_EQ(j.count(PixelClass::coincident), static_cast<std::size_t>(10 * ours.width));
 }
 
-// ---- Seeded faults: each is a mistake a ray tracer may make.
+// ---- Inserted errors: each is a typical error of a ray tracer.
 
 TEST(SeededFault, ALampOnePercentDimmerIsUnexplained) {
     World other;
@@ -439,7 +439,7 @@ TEST(SeededFault, ACameraOffByHundredthsOfAPixelIsAShift) {
 }
 
 TEST(SeededFault, ACameraOffInAFlatWorldShowsInItsEdges) {
-    // Without shading there is no gradient: only the edges can tell.
+    // Without shading there is no gradient: only the edges can reveal it.
     World world;
     world.width = 640;
     world.height = 480;

@@ -1,5 +1,5 @@
-// Many small triangles in one mesh: POV-Ray keeps their planes in single precision, and the
-// exporter must see to it that this does not show.
+// Many small triangles in one mesh: POV-Ray stores their planes in single precision, and the
+// exporter must make sure that this is not visible.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// What POV-Ray does otherwise by rule: each rule in a scene that runs into it, and our renderer,
-// following the rule, must get POV-Ray's value in every pixel that differs.
+// POV-Ray's differing rules: a scene for each. Our renderer with that rule must have POV-Ray's
+// value in every pixel that differs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using Rule = reference::KnownDifference::Rule;
 
 class ByRule : public Validate {
   protected:
-    /// At least so many pixels differ, and all by the rule.
+    /// At least `least` pixels differ, and all of them because of the rule.
     void expect_known(const Scene& scene, Rule rule, std::size_t least) {
         const Validation v = validate(scene);
         EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
@@ -36,7 +36,7 @@ Material glass(double ior, double transmission = 0.9) {
     return m;
 }
 
-/// A wall of stripes behind the origin whose light changes everywhere by `slope` per unit.
+/// A wall of stripes behind the origin whose brightness changes everywhere by `slope` per unit.
 void add_wall(Scene& scene, double slope = 0.5, double distance = 4) {
     Texture texture;
     texture.pattern = Gradient{
@@ -165,7 +165,8 @@ TEST_F(ByRule, AStraightPassOnTheLastLevelIsKnown) {
 }
 
 TEST_F(ByRule, HitsAndShadowsTooNearAreKnown) {
-    // The pane's faces lie too near for a second hit, the disc too near to the pane for a shadow.
+    // The pane's faces are too near each other for a second hit, and the disc is too near to the
+    // pane for a shadow.
     Scene scene = wall_scene();
     const double unit = 1 / reference::export_pov(scene, {0, 160, 120}).factor;
     add_object(scene, Box{{-1, -1, 0}, {0, 1, 5e-5 * unit}}, add_material(scene, glass(1.5, 0.5)));
@@ -227,7 +228,7 @@ Scene ball_on_floor() {
 }
 
 TEST_F(ByRule, AFaultOfOurRecursionAloneIsUnexplained) {
-    // POV-Ray's rules give its values, but it is not they that make the difference.
+    // POV-Ray's rules give its values, but they do not cause the difference.
     const Scene scene = ball_on_floor();
     EXPECT_EQ(validate(scene).verdict, Verdict::agrees);
     const Fault brighter = [](Scene& ours) { ours.materials.back().transmission += 0.01; };

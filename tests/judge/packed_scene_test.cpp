@@ -1,4 +1,4 @@
-// What a pack holds shows the same as the scene: without textures and smooth normals, too.
+// A packed scene shows the same as the scene, also without textures and smooth normals.
 #include "judge/pack/packed_scene.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(PackedScene, ShowsTheSameWithoutTexturesAndNormals) {
         std::vector<Diagnostic> warnings;
         const Scene packed = as_packed(scene, warnings);
         EXPECT_TRUE(packed.settings.textures && packed.settings.smooth) << path;
-        if (!warnings.empty()) return;  // a true surface in place of triangles
+        if (!warnings.empty()) return;  // true surfaces replace triangles
         const std::vector<double> plain = shown(scene);
         EXPECT_EQ(shown(packed), plain) << path;
         changed += plain == before ? 0 : 1;

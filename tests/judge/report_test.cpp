@@ -106,7 +106,7 @@ TEST(Report, EscapesNamesAndReasons) {
 }
 
 TEST(Report, HoldsFiftyScenesInTenMegabytes) {
-    // Noise is the worst that a picture can be.
+    // Noise compresses worst.
     std::vector<ReportEntry> entries;
     const Preview worst = preview_of(noise(320, 240, 3));
     const Preview simple = preview_of(Image(320, 240));

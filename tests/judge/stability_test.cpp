@@ -26,7 +26,8 @@ Scene ball() {
     return scene;
 }
 
-/// Grey, but for one pixel that is white in a scene whose ball has a radius outside `low..high`.
+/// Grey, except for one pixel that is white when the radius of the scene's ball is outside
+/// `low..high`.
 struct FakeRenderer {
     double low = 0;
     double high = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// Tachyon's pictures, judged as any other renderer's: what it does right agrees, and what it does
-// otherwise is found.
+// Tachyon's pictures, judged like those of any other renderer: what it does right agrees, and its
+// differences are found.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -205,7 +205,7 @@ box {{ min [{}, 0.5, -0.5] max [{}, 1.5, 0.5] material red }}
 TEST_F(Tachyon, AgreesOnCubesAndTakesTheWrongNormalsOfOtherBoxes) {
     const Validation cube = judged(box_from_the_front(0.5));
     EXPECT_EQ(cube.verdict, Verdict::agrees) << said(cube);
-    // Its normal is that of the axis in which a point is furthest from the box's middle.
+    // Its normal is along the axis in which a point is furthest from the box's centre.
     const Validation box = judged(box_from_the_front(1.3));
     EXPECT_EQ(box.verdict, Verdict::differs);
     EXPECT_THAT(box.reasons, Contains(HasSubstr("of them show object 1"))) << said(box);
@@ -226,8 +226,8 @@ TEST_F(Tachyon, AgreesOnCubesAndTakesTheWrongNormalsOfOtherBoxes) {
 }
 
 TEST_F(Tachyon, ShowsTheBackgroundWhereRaysAreFollowedNoFurther) {
-    // Two mirrors that see each other: where the depth does not suffice, what is missing weighs 0.3
-    // to the power of the depth, and Tachyon has the background there.
+    // Two mirrors that face each other. Where the depth is not sufficient, the missing light has
+    // the weight 0.3 to the power of the depth, and Tachyon shows the background there.
     const std::string mirrors = std::string(stage) + two_lamps + R"(
 sphere { center [-0.9, 0.9, 0] radius 0.8 material mirror }
 sphere { center [0.9, 0.9, 0] radius 0.8 material mirror }
@@ -245,7 +245,7 @@ sphere { center [0.9, 0.9, 0] radius 0.8 material mirror }
 }
 
 TEST_F(Tachyon, LeavesOutWhatALampBringsWhereItIsLittle) {
-    // Less than 1/512, by the cosine and by the distance: a floor up to the horizon.
+    // Less than 1/512, because of the cosine and the distance: a floor up to the horizon.
     std::string flat = stage;
     flat.replace(flat.find("0.5, 5, 6"), 9, "0.5, 2.4, 7");
     const Validation v = judged(flat +
@@ -255,14 +255,14 @@ TEST_F(Tachyon, LeavesOutWhatALampBringsWhereItIsLittle) {
     EXPECT_EQ(v.verdict, Verdict::differs);
     EXPECT_GE(v.judgement.different.size(), 20U);
     for (const DifferentPixel& pixel : v.judgement.different) {
-        // Ambient light alone is left of the floor.
+        // Only ambient light remains on the floor.
         EXPECT_NEAR(pixel.theirs.x, 0.08, 2e-5) << said(v);
         EXPECT_LT(pixel.ours.x - pixel.theirs.x, 0.8 / 512);
     }
 }
 
 TEST_F(Tachyon, ShadowsItsOwnBallsWhereTheSceneIsLarge) {
-    // A constant distance keeps its shadow rays from the surface that they begin on.
+    // Tachyon keeps shadow rays off the surface where they begin by a constant distance.
     std::size_t unexplained = 2;
     for (const double size : {1.0, 1e5, 1e7}) {
         const auto at = [&](double x, double y, double z) {
@@ -276,7 +276,7 @@ TEST_F(Tachyon, ShadowsItsOwnBallsWhereTheSceneIsLarge) {
             "0.6 }} }}",
             at(0.5, 2.4, 7), at(0, 0.6, 0), at(-4, 6, 5), at(0, 0.9, 0), 1.6 * size));
         const std::size_t found = v.judgement.count(PixelClass::unexplained);
-        // Of size 1 what is nearly unlit may be missing, see above.
+        // At size 1, surfaces that are hardly lit may be black, see above.
         EXPECT_TRUE(size == 1 ? found <= 2 : found > 3 * unexplained) << size << said(v);
         unexplained = found;
         for (const DifferentPixel& pixel : v.judgement.different) {

@@ -1,4 +1,5 @@
-// What settings cost and bring: the truth, its cache, errors by it, and which settings to take.
+// The cost and the error of settings: the truth, its cache, errors measured with it, and the
+// recommended settings.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -85,20 +86,21 @@ TEST(Frontier, IsWhatNothingBeats) {
 }
 
 TEST(Frontier, HasNoneThatTheClockAloneWouldPutThere) {
-    // As fast as the next, which errs by half; and hardly better than the one before.
+    // One is as fast as the next, which has half its error; another is hardly better than the one
+    // before.
     const std::vector<TradePoint> points{{1.00, 0.5}, {1.01, 0.25}, {2, 0.249}, {3, 0.1}};
     EXPECT_THAT(frontier(points), ElementsAre(0, 1, 2, 3));
     EXPECT_THAT(clear_frontier(points), ElementsAre(1, 3));
     EXPECT_EQ(dominators(points)[0], 1U);
     EXPECT_EQ(dominators(points)[2], 1U);
-    // A busy clock cannot tell more, but a chain of small steps is no small step.
+    // A noisy clock cannot distinguish more, but a chain of small steps is not one small step.
     const std::vector<TradePoint> chain{{1, 0.9}, {1.1, 0.8}, {1.19, 0.7}, {1.3, 0.6}, {1.4, 0.5}};
     EXPECT_THAT(clear_frontier(chain), ElementsAre(0, 1, 2, 3, 4));
     EXPECT_THAT(clear_frontier(chain, 0.2), ElementsAre(2, 4));
 }
 
-/// Settings of so many samples and levels, in double or single precision, whose runs are off by up
-/// to so much and in some rounds slower as a whole; every tenth run met a busy moment.
+/// Settings with this many samples and levels, in double or single precision. The noise of their
+/// runs has this limit, some rounds are slower as a whole, and every tenth run meets a busy moment.
 std::vector<TimedSetting> timed(double noise, unsigned seed) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -129,7 +131,7 @@ std::vector<TimedSetting> timed(double noise, unsigned seed) {
 
 TEST(SteadyCost, IsTheTimeWhereNothingDisturbsIt) {
     std::vector<TimedSetting> settings = timed(0, 1);
-    for (double& s : settings[9].seconds) s *= 1.3;  // dearer than its rays tell
+    for (double& s : settings[9].seconds) s *= 1.3;  // more expensive than its rays indicate
     const SteadyCosts costs = steady_costs(settings);
     for (std::size_t i = 0; i < settings.size(); ++i)
         EXPECT_NEAR(costs.seconds[i] / median_of(settings[i].seconds), 1, 0.03) << i;
@@ -156,7 +158,7 @@ TEST(SteadyCost, KeepsItsOrderOnABusyMachine) {
     EXPECT_LT(4 * by_cost, by_time);
 }
 
-/// A setting that is run less often than others must not look cheaper or dearer for that.
+/// A setting that runs less often must not look cheaper or more expensive for that reason.
 TEST(SteadyCost, OfFewRunsIsThatOfManyInTheMean) {
     std::mt19937 random(5);
     for (const std::size_t runs : {3U, 4U, 5U, 7U, 9U, 15U}) {
@@ -228,7 +230,7 @@ TEST(TradeOffError, IsThatOfCompareAndInItsInterval) {
     EXPECT_NEAR(error.rmse, right.rmse, 0.01 * right.rmse);
     EXPECT_EQ(error.p999, right.p999);
     EXPECT_EQ(error.flip, right.flip);
-    // A truth as coarse as the picture: compare would say 1.4 times as much.
+    // A truth as coarse as the picture: a plain comparison would give 1.4 times the error.
     int held = 0;
     double sum = 0;
     for (std::uint64_t seed = 20; seed < 40; ++seed) {
@@ -336,7 +338,8 @@ TEST(TradeOffSettings, AreCombinedWhereThatPromisesSomething) {
         if (s.knob == Knob::max_depth && s.settings.max_depth == 2)
             singles.push_back({s, 450, 1.1e-4, 1e-5});  // half the rays, a little error
         if (s.knob == Knob::max_depth && s.settings.max_depth == 3)
-            singles.push_back({s, 890, 1e-4, 1e-9, 0.5});  // saves no rays, whatever the clock says
+            // saves no rays, whatever the clock measures
+            singles.push_back({s, 890, 1e-4, 1e-9, 0.5});
         if (s.knob == Knob::shadows) singles.push_back({s, 450, 0.04, 0.04});          // too wrong
         if (s.knob == Knob::precision) singles.push_back({s, 900, 1e-4, 1e-8, 0.97});  // no faster
     }

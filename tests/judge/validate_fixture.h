@@ -17,8 +17,9 @@ using Fault = std::function<void(Scene&)>;
 
 class Validate : public reference::WithPovRay {
   protected:
-    /// `fault` is done to our scene alone; not to what the judge's own recursion sees of it, where
-    /// the fault shall be one of our recursion. POV-Ray's picture is made once and kept.
+    /// `fault` changes only our scene. With `of_recursion`, the judge's own recursion gets the
+    /// unchanged scene, as if only our renderer's recursion had the error. POV-Ray's picture is
+    /// made once and kept.
     Validation validate(const Scene& scene, const Fault& fault = {},
                         const Expectations& expect = {}, bool of_recursion = false) {
         ValidationJob job;

@@ -1,4 +1,4 @@
-// Whole validations: our tracer, the exporter and POV-Ray. Each seeded fault is put into our side
+// Complete validations: our tracer, the exporter and POV-Ray. Each inserted error is on our side
 // only.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -110,8 +110,9 @@ TEST_F(Validate, CatchesAFlippedNormal) {
 }
 
 TEST_F(Validate, CatchesBodiesTakenInTheOtherOrder) {
-    // The camera is inside two bodies, declared in either order. A renderer that takes the one
-    // declared first for the medium round the camera sees the inner one's index as the outer one's.
+    // The camera is inside two bodies, declared in either order. A renderer that assumes the first
+    // declared one as the medium around the camera would take the inner body's index for the outer
+    // one's.
     for (const bool inner_first : {false, true}) {
         Scene scene = glass_nested_scene();
         Material outer;

@@ -26,7 +26,7 @@ std::vector<std::string> cells_of(const std::string& row) {
     return cells;
 }
 
-/// What presets.py found and wrote down: name, aim, sampling, samples, depth, contribution ...
+/// The presets that presets.py derived: name, aim, sampling, samples, depth, contribution ...
 std::vector<std::vector<std::string>> derived_presets() {
     std::ifstream file(LANCER_SOURCE_DIR "/docs/cost-of-accuracy.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};

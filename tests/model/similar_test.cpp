@@ -65,7 +65,7 @@ TEST(Similar, TexturedObjectsKeepTheirOwnSpace) {
 TEST(Similar, PlanesAreMovedAlongTheirNormals) {
     const Scene there = moved(one_of_each(), {10, 20, 30});
     EXPECT_EQ(std::get<Plane>(there.objects[1].shape).offset, 5 - 20);
-    // One without an axis for a normal keeps its numbers: adding to them would round.
+    // A plane whose normal is not along an axis keeps its numbers: adding to them would round.
     EXPECT_EQ(std::get<Plane>(there.objects[2].shape).offset, 5);
     EXPECT_EQ(there.transforms[there.objects[2].transform].shift, Vec3d(10, 20, 30));
 }
@@ -97,8 +97,8 @@ TEST(Similar, FromAfarAsMuchIsSeen) {
     EXPECT_EQ(std::get<OrthographicProjection>(far.cameras[1].projection).height, 4);
 }
 
-/// A patch's own tolerance holds in its own space and in the world: the stricter one must be as
-/// strict, relative to the patch, as before.
+/// A patch's own tolerance applies in its own space and in the world: the stricter one must be as
+/// strict as before, relative to the patch.
 TEST(Similar, APatchKeepsItsToleranceRelativeToItsSize) {
     Scene scene;
     scene.patches.push_back({});

@@ -92,7 +92,7 @@ TEST(Sobol, AnEdgeIsMeasuredWithAFractionOfTheErrorOfRandomPoints) {
     const double variance = 0.415 * 0.585;
     EXPECT_LT(squared_error(repeats, 16, ours), variance / 16 / 3);
     EXPECT_LT(squared_error(repeats, 256, ours), variance / 256 / 12);
-    // And none is left over: the mean over many sequences is the truth within 4 standard errors.
+    // There is no bias: the mean over many sequences equals the truth within 4 standard errors.
     double mean = 0;
     for (int r = 0; r < repeats; ++r) {
         const auto points = ours(r);
@@ -102,7 +102,8 @@ TEST(Sobol, AnEdgeIsMeasuredWithAFractionOfTheErrorOfRandomPoints) {
     EXPECT_NEAR(mean, 0.415, 4 * std::sqrt(squared_error(repeats, 16, ours) / repeats));
 }
 
-/// Two nets of half the points tell the whole's error, which needs them to be independent.
+/// Two nets with half the points each determine the error of the whole, which requires that they
+/// are independent.
 TEST(Sobol, NetsOfDifferentStreamsAreIndependent) {
     constexpr int pixels = 20000;
     double product = 0, square = 0;
@@ -130,7 +131,7 @@ TEST(Sobol, KeysDependOnEverything) {
     EXPECT_NE(pixel_key(0, 1, 0), pixel_key(0, 0, 1));
 }
 
-/// Pictures are the same bytes tomorrow and on another machine.
+/// Pictures have the same bytes at any time and on any machine.
 TEST(Sobol, PinnedValues) {
     EXPECT_EQ(pixel_key(0, 0, 0), 18152189527315630385U);
     EXPECT_EQ(pixel_key(1, 640, 480, 2), 9663613426371829864U);

@@ -1,5 +1,6 @@
-// Composites against 256-bit arithmetic: where a line is in them, crossing by crossing. Trees of
-// bodies on a coarse grid, so that most of their faces lie in the planes of others.
+// Composites compared with 256-bit arithmetic: the intervals of a line inside of them, crossing by
+// crossing. The bodies lie on a coarse grid, so that most of their faces are in the planes of
+// others.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -95,7 +96,7 @@ class Judge {
 
     bool holds(const Exact& t) const { return node_holds(0, t); }
 
-    /// Where the state changes, beyond `from`.
+    /// The parameters beyond `from` at which the line enters or leaves.
     std::vector<Exact> changes(const Exact& from) const {
         std::vector<Exact> all;
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -107,7 +108,7 @@ class Judge {
         }
         return all;
     }
-    /// Whether two places beyond `from` lie so near each other that no double tells them apart.
+    /// Whether two crossings beyond `from` are so close that no double can separate them.
     bool is_unfair(const Exact& from) const {
         for (std::size_t i = 1; i < places_.size(); ++i)
             if (places_[i] > from && places_[i] - places_[i - 1] < 1e-11) return true;
@@ -213,7 +214,7 @@ Scene scene_of(const Composite& composite) {
     scene.materials = {Material{}};
     scene.composites.push_back(composite);
     kit::show(scene, CompositeRef{0});
-    kit::show(scene, Sphere{{0, 0, 0}, 4});  // every world has the same scale
+    kit::show(scene, Sphere{{0, 0, 0}, 4});  // gives every world the same scale
     return scene;
 }
 
@@ -228,7 +229,7 @@ Line line_of(const Ray<double>& ray, int exponent) {
     return {unit * (exact(ray.origin) + exact(ray.origin_lo)), unit * exact(ray.dir)};
 }
 
-/// The crossings that the tracer tells of, and a start on the last of them.
+/// The crossings that the tracer reported, and a start on the last of them.
 struct Told {
     std::vector<Crossing<double>> crossings;
     std::vector<Hit<double>> hits;
@@ -250,9 +251,9 @@ class CompositeOracle : public testing::Test {
     int judged = 0;
     int unfair = 0;
 
-    /// Whether what was told beyond `from` is what there is.
+    /// Whether the crossings reported beyond `from` are the true ones.
     ///
-    /// \param slack  besides the bounds: a start is taken to lie on its face, and lies next to it
+    /// \param slack  in addition to the bounds: a start counts as on its face, but lies next to it
     bool is_right(const Judge& judge, const Told& told, double from, bool inside, double slack) {
         const std::vector<Exact> expected = judge.changes(from);
         std::size_t next = 0;
@@ -278,7 +279,7 @@ TEST_F(CompositeOracle, LinesAreInsideWhereTheyAre) {
         const auto world = compile_world<double>(scene, scene.settings);
         std::uint32_t index = 0;
         const CompositeTree<double>* tree = tree_of(*world, index);
-        if (tree == nullptr) continue;  // nothing is left of it
+        if (tree == nullptr) continue;  // nothing is left of the body
         const double unit = std::ldexp(1.0, world->scale_exponent);
         for (int i = 0; i < 40; ++i) {
             const Vec3d origin(lottery.grid() * 3, lottery.grid() * 3, lottery.grid() * 3);

@@ -1,4 +1,4 @@
-// Numbers and vectors of 256 bits, to judge kernels by.
+// Numbers and vectors of 256 bits, for checking kernels.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

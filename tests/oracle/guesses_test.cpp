@@ -1,6 +1,6 @@
-// What filters tell of crossings that are not formed: every guess must hold the exact crossing with
-// eight of its error bounds on either side (RayInterval::accepts_estimate), and nothing within the
-// interval may be left out.
+// The estimates by which filters skip exact crossings: every estimate must contain the exact
+// crossing, extended by eight of its error bounds on either side (RayInterval::accepts_estimate),
+// and no crossing within the interval may be missing.
 #include "tests/oracle/tally.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/shapes/frustum.h"
@@ -22,7 +22,7 @@ struct Guess {
     }
 };
 
-/// A query that is told of guesses, and never content with one.
+/// A query that receives estimates and never accepts one.
 struct Notes {
     std::vector<Guess>& guesses;
 
@@ -49,7 +49,7 @@ class Guesses {
             const double shift = draw.decade(-16, 0) * std::abs(c.t);
             const auto end = [&] { return c.t + shift; };
             const RayInterval<double, decltype(end)> near{c.t - shift, end};
-            // A query about all crossings, and one about those that go in, or out, alone.
+            // A query for all crossings, and one only for those that enter or leave.
             for (const IntersectionHints& hints :
                  {IntersectionHints{}, IntersectionHints{none, !c.entering, true}}) {
                 bool met = false;
@@ -65,7 +65,7 @@ class Guesses {
             std::any_of(found.begin(), found.end(), [&](const auto& c) { return guess.holds(c); });
         EXPECT_TRUE(held) << "case " << draw.number() << ": a guess holds no crossing";
     }
-    /// Filters that settle nothing would pass, but be of no use.
+    /// Filters that decide nothing would pass, but be useless.
     void expect_share(double least) const {
         EXPECT_GE(static_cast<double>(guesses_), least * static_cast<double>(crossings_));
     }
@@ -75,7 +75,7 @@ class Guesses {
     std::size_t crossings_ = 0;
 };
 
-/// In a fifth of the cases: how far rounding moved a start or a solid, up to a millionth.
+/// In a fifth of the cases: the error of a rounded start or solid, up to a millionth.
 double moved(Draw& draw, double size) {
     const double error = size * draw.decade(-18, -6);
     return draw.number() % 5 == 2 ? error : 0;

@@ -1,5 +1,5 @@
-// What a piece of a patch foresees of a line (tracer/splines/piece_frame.h), against the crossings
-// that the method behind it forms.
+// What a piece of a patch predicts about a line (tracer/splines/piece_frame.h), compared with the
+// crossings of the exact method behind it.
 #include "tests/oracle/tally.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/shapes/bicubic.h"
@@ -7,7 +7,7 @@
 namespace lancer::oracle {
 namespace {
 
-/// In a part of the cases the net is skewed, thin or nearly folded.
+/// In some of the cases the net is skewed, thin or nearly folded.
 Patch random_patch(Draw& draw, double size) {
     const double thin = draw.number() % 48 == 0 ? draw.decade(-6, 0) : 1;
     const double rough = draw.between(0, 0.6);
@@ -30,7 +30,7 @@ std::vector<Crossing<double>> crossings_of(const PieceTree<double>& tree, std::u
     return found;
 }
 
-/// The ray towards somewhere near a place of a piece, at times within roundings of its border.
+/// A ray towards a place near a piece, sometimes within rounding of its border.
 Ray<double> ray_to(const BicubicSolid<double>& solid, std::uint32_t piece, Draw& draw,
                    double size) {
     const auto parameter = [&] {
@@ -101,7 +101,7 @@ TEST(Pieces, ForeseeWhatTheMethodFinds) {
             EXPECT_EQ(found.size(), 1u) << "case " << draw.number() << ": not met";
         }
     });
-    // A filter that never speaks would pass, but be of no use.
+    // A filter that never decides would pass, but be useless.
     EXPECT_GT(4 * clear, lines);
     EXPECT_GT(10 * passed, 5 * (clear - crossed));
     EXPECT_GT(10 * met, 5 * crossed);

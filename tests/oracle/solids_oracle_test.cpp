@@ -1,6 +1,6 @@
-// Spheres, boxes, planes, triangles, cylinders and cones against 256-bit arithmetic: how far t, the
-// point and the normal are off, whether the bound that the kernel reports with t really bounds its
-// error, and whether no crossing is missed.
+// Spheres, boxes, planes, triangles, cylinders and cones compared with 256-bit arithmetic: the
+// errors of t, the point and the normal, whether the error bound that the kernel reports with t
+// holds, and whether no crossing is missed.
 #include "tests/oracle/tally.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/shear.h"
@@ -49,7 +49,7 @@ TEST(Oracle, Sphere) {
                       const ExactVec truth = start_of(ray) + Exact(c.t) * d - exact(ball.center);
                       tally.point(p, length(from_center) - ball.radius, truth, ball.radius);
                   });
-        // The kernel's own rounding moves the line by some u |f|, which counts next to r.
+        // The kernel's own rounding moves the line by about u |f|, which matters relative to r.
         if (square > Exact(1e-14) * dd * (sqrt(dot(f, f) * rr) + rr))
             tally.expect_found(found == 2);
     });
@@ -144,8 +144,8 @@ TEST(Oracle, Plane) {
                       tally.hit(ray, c, t, 1);
                       const SurfacePoint<double> p = surface_point(half, ray, c.t, 0);
                       const ExactVec rel = exact(p.anchor) + exact(p.offset) - exact(half.point);
-                      // How far the point may be off grows with its distance from the plane's own
-                      // point.
+                      // The possible error of the point grows with its distance from the plane's
+                      // reference point.
                       const double reach = std::max(1.0, static_cast<double>(length(rel)));
                       tally.point(p, dot(n, rel) / length(n), n, reach);
                   });

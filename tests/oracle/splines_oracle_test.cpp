@@ -1,6 +1,6 @@
-// Lathes, prisms and patches against 256-bit arithmetic: from what the kernel found, Newton's
-// method goes on to the true crossing. Cases in which it does not settle there (tangents, cusps)
-// are left out, and counted.
+// Lathes, prisms and patches compared with 256-bit arithmetic: Newton's method continues from the
+// kernel's result to the true crossing. Cases in which it does not converge there (tangents, cusps)
+// are left out and counted.
 #include "tests/oracle/tally.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/surface_point.h"
@@ -90,7 +90,7 @@ TEST(Oracle, Lathe) {
             const Crossing<double> crossing{c.t, c.error, c.segment, c.entering};
             tally.hit(ray, crossing, t, size);
             const SurfacePoint<double> p = surface_point(lathe, ray, c.t, c.segment);
-            // Next to the crossing the surface is its tangent plane.
+            // Near the crossing, the surface equals its tangent plane.
             const ExactVec at = o + t * d;
             const Exact r = sqrt(at.x * at.x + at.z * at.z);
             const Exact dr = curve.at(0, s).second;
@@ -173,7 +173,8 @@ TEST(Oracle, Patch) {
     std::uint64_t undecided = 0;
     std::uint64_t found = 0;
     tally.run([&](Draw& draw) {
-        // A patch costs far more to make ready than to meet: every one takes sixteen rays.
+        // Preparing a patch costs far more than intersecting it, so each one is tested with sixteen
+        // rays.
         if (draw.number() % 16 != 0) return;
         const double size = draw.decade(-3, 3);
         Patch patch;

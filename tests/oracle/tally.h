@@ -1,5 +1,5 @@
-// Cases of one shape, each from a random number generator of its own, and how far the kernel was
-// off: so a bad case is known by its number, and kept by it (worst_cases.h).
+// Cases of one shape, each from its own random number generator, and the errors of the kernel: so
+// the number of a bad case identifies it, and worst_cases.h can store it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,8 +51,8 @@ class Draw {
         return make_ray(from, Vec3d(0), dir, 0.0);
     }
 
-    /// The same ray, in a third of the cases with a start of two numbers. What is drawn after it
-    /// does not depend on it.
+    /// The same ray; in a third of the cases, its start consists of two numbers. Later random
+    /// numbers do not depend on this.
     Ray<double> in_two_parts(const Ray<double>& ray) const {
         if (number_ % 3 != 1) return ray;
         Draw other(~number_);
@@ -75,8 +75,7 @@ class Tally {
   public:
     explicit Tally(std::string shape) : shape_(std::move(shape)) {}
 
-    /// Runs the cases: LANCER_ORACLE_RAYS of them or ten thousand, and those that were worst
-    /// before.
+    /// Runs LANCER_ORACLE_RAYS cases, or ten thousand, and the worst earlier cases.
     template <class Case>
     void run(Case&& one_case) {
         const char* wanted = std::getenv("LANCER_ORACLE_RAYS");
@@ -105,7 +104,7 @@ class Tally {
         slack_.push_back(c.error / scale);
         note(used_, error == 0 ? 0 : error / c.error);
     }
-    /// A point that is `off` from the surface, and its normal beside the true one.
+    /// A point with the distance `off` from the surface, and its normal compared with the true one.
     void point(const SurfacePoint<double>& p, const Exact& off, const ExactVec& normal,
                double size) {
         const double distance = static_cast<double>(abs(off));
@@ -114,12 +113,12 @@ class Tally {
         note(normal_,
              static_cast<double>(length(unit_of(exact(p.normal)) - unit_of(normal))) / epsilon);
     }
-    /// A crossing that is there for certain was found, or not.
+    /// Whether a crossing that certainly exists was found.
     void expect_found(bool found) {
         EXPECT_TRUE(found) << shape_ << ", case " << number_ << ": a crossing was missed";
     }
 
-    /// One row of the table in docs/accuracy.md, and the demands.
+    /// One row of the table in docs/accuracy.md, and the requirements.
     void report(double most_typical = 200) {
         ASSERT_GT(hits_, 100u);
         std::nth_element(slack_.begin(), slack_.begin() + static_cast<std::ptrdiff_t>(hits_ / 2),

@@ -1,5 +1,5 @@
-// Rings against 256-bit arithmetic: tubes of a billionth of their ring up to those that close the
-// hole, from near and far, straight at them and all but past.
+// Tori compared with 256-bit arithmetic: tubes from a billionth of the ring's radius up to those
+// that close the hole, from near and far, with rays straight at them and nearly past them.
 #include "model/shapes.h"
 #include "tests/oracle/tally.h"
 #include "tracer/numerics/power_of_two.h"
@@ -23,7 +23,7 @@ struct Ring {
     }
 };
 
-/// The textbook's quartic along a line, its sign that of the outside.
+/// The textbook's quartic along a line; it is positive outside.
 struct ExactRing {
     const Ring& ring;
     ExactVec start, dir;
@@ -53,7 +53,7 @@ struct ExactRing {
         return (low + high) / 2;
     }
 
-    /// The surface's crossing that `c` stands for; none where the line but touches it there.
+    /// The true crossing for `c`; none where the line only touches the surface.
     bool find(const Crossing<double>& c, Exact& t) const {
         const Exact low = Exact(c.t) - c.error;
         const Exact high = Exact(c.t) + c.error;
@@ -100,7 +100,7 @@ Ray<double> random_ray(Draw& draw, const Ring& ring) {
     const Vec3d from = target + draw.direction() * (ring.size() * draw.decade(-3, 4));
     Vec3d dir = normalize(target - from);
     if (draw.number() % 2 == 0) return make_ray(from, Vec3d(0), dir, 0.0);
-    dir = normalize(cross(outward, draw.direction()));  // all but touches
+    dir = normalize(cross(outward, draw.direction()));  // nearly tangent
     const Vec3d edge = anchor + outward * (ring.tube * (1 - draw.decade(-17, -1)));
     return make_ray(edge - dir * (ring.size() * draw.decade(-3, 4)), Vec3d(0), dir, 0.0);
 }
@@ -140,7 +140,7 @@ TEST(Oracle, Torus) {
                 ++touching;
             judge_point(tally, ring, exactly, ray, c);
         }
-        // Between them the sign of the quartic tells where the line is.
+        // Between the crossings, the sign of the quartic tells whether the line is inside.
         const double middle = -static_cast<double>(exactly.along / exactly.dd);
         for (int i = 0; i <= 24; ++i) {
             const double at = middle + ring.size() * (i / 12.0 - 1) * 1.01;
@@ -161,7 +161,7 @@ TEST(Oracle, Torus) {
     tally.report();
 }
 
-/// The others from a start on the surface: that one is left out, whatever the angle.
+/// The other crossings from a start on the surface: the start itself is left out at any angle.
 TEST(Oracle, TorusFromItsSurface) {
     Tally tally("torus, from its surface");
     tally.run([&](Draw& draw) {
@@ -177,8 +177,8 @@ TEST(Oracle, TorusFromItsSurface) {
         const Ray<double> ray = make_ray(start.hi, start.lo, dir, error);
         const ExactRing exactly{ring, start_of(ray), exact(ray.dir)};
         const double steep = dot(outward, dir);
-        // How far the line's way out stands clear of rounding: where the hole all but closes, the
-        // surface across it is as near.
+        // The distance over which the line's way out is clear of rounding. Where the hole nearly
+        // closes, the opposite surface is as near.
         const Vec3d at = anchor + outward * ring.tube;
         const double across = std::hypot(at.x, at.z) + ring.radius;
         const double alone = (across * across + at.y * at.y - ring.tube * ring.tube) /

@@ -1,4 +1,4 @@
-// One of eight rays by itself in a mesh's space against the scalar methods: the same numbers.
+// One of eight rays in the space of a mesh compared with the scalar methods: the same numbers.
 #include "tests/oracle/wide_kernels.h"
 #include "tests/oracle/wide_levels.h"
 #include "tests/oracle/wide_rays.h"

@@ -1,4 +1,4 @@
-// Answers of wide kernels against the crossings that the scalar code finds.
+// Results of wide kernels compared with the crossings of the scalar code.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace lancer::oracle {
 struct Share {
     std::size_t unsure = 0, hits = 0, answers = 0;
 
-    /// Kernels that are sure of nothing would pass, but be of no use.
+    /// Kernels that are never sure would pass, but be useless.
     void expect(double most_unsure) const {
         EXPECT_GT(hits, answers / 20);
         EXPECT_LE(static_cast<double>(unsure), most_unsure * static_cast<double>(answers));
@@ -54,7 +54,7 @@ std::vector<Crossing<double>> crossings_to(const Shape& shape, const Ray<double>
     return found;
 }
 
-/// Whether anything counts before a light so far away: query_occlusion().
+/// Whether anything counts before a light at this distance: query_occlusion().
 template <class Shape>
 void check_shadow(const Shape& shape, const Ray<double>& ray, double distance,
                   const WideAnswer& answer, const Draw& draw, Share& share) {

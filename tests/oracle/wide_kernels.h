@@ -5,14 +5,14 @@
 
 namespace lancer::oracle {
 
-/// What a kernel says of one shape and one of the rays.
+/// A kernel's result for one shape and one of the rays.
 struct WideAnswer {
     bool hit, unsure, entering;
     double t, error, u, v;
     std::uint32_t face = 0;
 };
 
-/// One ray as the tests of boxes see it: SlabRay<float> for each axis, and whether it misses all.
+/// One ray as the box tests use it: SlabRay<float> for each axis, and whether it misses all boxes.
 struct WideSlabs {
     bool misses;
     float enter_origin[3], leave_origin[3], enter_inverse[3], leave_inverse[3];
@@ -32,11 +32,11 @@ struct WideKernels {
                   WideAnswer* out);
     void (*plane)(const wide::Plane& plane, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
-    /// The first triangle of the block. `unsure`: a ray with all four did not find that it may
-    /// meet the first.
+    /// Tests the first triangle of the block. `unsure`: the test of all four triangles excluded the
+    /// first.
     void (*triangle)(const wide::TriangleBlock& block, double reach, const wide::LaneRay* rays,
                      double limit, WideAnswer* out);
-    /// `hit`: the shape lies on the way to a light so far away.
+    /// `hit`: the shape is between the ray's start and a light at this distance.
     void (*ball_shadow)(const wide::Ball& ball, const wide::LaneRay* rays, double distance,
                         WideAnswer* out);
     void (*box_shadow)(const wide::Box& box, const wide::LaneRay* rays, double distance,
@@ -50,14 +50,14 @@ struct WideKernels {
                          WideAnswer* out);
     void (*slabs)(const wide::Tree& tree, const wide::LaneRay* rays, double limit, WideSlabs* out);
     void (*local)(const wide::Frame& frame, const wide::LaneRay* rays, wide::LaneRay* out);
-    /// The same, ray by ray, without squares and `filter_error`; and how each sees the mesh's
-    /// boxes.
+    /// The same, ray by ray, without squares and `filter_error`; and each ray as the tests of the
+    /// mesh's boxes use it.
     void (*alone)(const wide::Mesh& mesh, const wide::LaneRay* rays, double limit,
                   wide::LaneRay* out, WideSlabs* slabs);
-    /// Rays by a mesh, one by one: the nearest crossings, and whether it hides a light.
+    /// Rays and a mesh, one by one: the nearest crossings, and whether it hides a light.
     void (*lone_mesh)(const wide::Mesh& mesh, const wide::LaneRay* rays, double limit,
                       WideAnswer* out, WideAnswer* shadow);
-    /// The surfaces of eight hits; those that are left to scalar code are asked of `exact`.
+    /// The surfaces of eight hits; for unsure ones, `exact` is called.
     void (*surfaces)(const wide::Scene& scene, wide::ExactMethods& exact, const wide::LaneRay* rays,
                      const wide::LaneHit* hits, wide::LaneSurface* out);
     /// Rays bent at a surface with this normal; `t` of the answer is Fresnel's reflectance, `hit`

@@ -1,4 +1,4 @@
-// Surfaces side by side against make_surface(), and how they bend light, number by number.
+// Surfaces and refraction side by side compared with make_surface(), number by number.
 #include <random>
 
 #include "tests/extremes/stage.h"
@@ -14,7 +14,7 @@
 namespace lancer::oracle {
 namespace {
 
-/// Notes which hits are left to scalar code, and settles none.
+/// Counts the hits that scalar code must handle, and handles none.
 class NoMethods final : public wide::ExactMethods {
   public:
     std::size_t asked = 0;
@@ -155,7 +155,7 @@ TEST(OracleWide, Surfaces) {
                 wide::LaneSurface out[8];
                 kernels.surfaces(flat.scene(), exact, &rays[i], &hits[i], out);
                 for (std::size_t j = 0; j < 8; ++j) {
-                    if (out[j].error == -1) continue;  // left to scalar code
+                    if (out[j].error == -1) continue;  // scalar code must handle it
                     const Surface<double>& s = expected[i + j];
                     expect_same(out[j].position, s.position, "position");
                     expect_same(out[j].position_lo, s.position_lo, "position_lo");

@@ -1,5 +1,5 @@
-// Rays side by side against the scalar methods, which are proved and held to 256-bit arithmetic:
-// where wide code is sure, it says the same, bit for bit.
+// Rays side by side compared with the scalar methods, which are proved and tested against 256-bit
+// arithmetic: where wide code is sure, it gives the same bits.
 #include <bit>
 
 #include "model/elementary.h"
@@ -65,7 +65,7 @@ TEST(OracleWide, Ball) {
             for (std::size_t i = 0; i < lanes; ++i)
                 check_shadow(c.ball, c.rays.rays[i], c.limit, answers[i], draw, shadow);
         });
-        nearest.expect(0.7);  // a third starts in the ball or next to it, a quarter nearly touches
+        nearest.expect(0.7);  // a third starts in or next to the ball, a quarter is nearly tangent
         shadow.expect(0.5);
     });
 }
@@ -279,8 +279,8 @@ TEST(OracleWide, Slabs) {
                 const BoxRay<double> expected(bounds, ray, 0, limit);
                 const WideSlabs& answer = answers[i];
                 ASSERT_EQ(answer.misses, expected.misses) << "case " << draw.number();
-                // The place that the ray meets the box in, by exact arithmetic: the middle of what
-                // lies in it.
+                // The place where the ray meets the box, by exact arithmetic: the middle of its
+                // part inside.
                 Exact in = 0, out = limit == infinity ? Exact(1e300) : Exact(limit);
                 for (int a = 0; a < 3; ++a) {
                     const Exact d(ray.dir[a]);

@@ -63,7 +63,7 @@ TEST(OracleWide, Torus) {
     });
 }
 
-/// Rays that leave it for good are told apart; of others nothing is said.
+/// Rays that leave the torus for good are recognized; nothing is required for others.
 TEST(OracleWide, FromATorus) {
     on_each_level([](const WideKernels& kernels) {
         std::size_t settled = 0;

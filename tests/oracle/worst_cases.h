@@ -1,4 +1,5 @@
-// Cases in which a kernel used the most of its error bound, or once broke it, kept for good.
+// Cases in which a kernel came closest to its error bound, or once exceeded it. They are kept as
+// tests.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ inline constexpr WorstCase worst_cases[] = {
     {"sphere", 641991},
     {"sphere, from its surface", 57830},
     {"sphere, from its surface", 788540},
-    {"sphere, from its surface", 1448238},  // the quotient's own rounding was left out
+    {"sphere, from its surface", 1448238},  // the rounding of the quotient was forgotten
     {"sphere, from its surface", 1923256},
     {"box", 827},
     {"box", 328159},
@@ -25,9 +26,9 @@ inline constexpr WorstCase worst_cases[] = {
     {"triangle", 8506},
     {"triangle", 102676},
     {"cylinder and cone, side", 53037},
-    {"cylinder and cone, side", 4558},  // a cone's point, from far away: its radius was tilted
+    {"cylinder and cone, side", 4558},  // the apex of a cone from far away: its radius was tilted
     {"cylinder and cone, side", 458370},
-    {"cylinder and cone, from the side", 2311},  // along the axis: the direction's own rounding
+    {"cylinder and cone, from the side", 2311},  // along the axis: the rounding of the direction
     {"cylinder and cone, from the side", 256623},
     {"lathe", 40541},
     {"lathe", 5107},  // a direction whose square underflows

@@ -1,6 +1,6 @@
-// Every scene in scenes/bad/ gets exactly the messages that stand beside it, and every message of
-// the parser has a scene. With LANCER_WRITE_EXPECTED set the messages are written, to be read by
-// eye.
+// Every scene in scenes/bad/ gets exactly the expected messages beside it, and every message of the
+// parser has a scene. If LANCER_WRITE_EXPECTED is set, the messages are written, to be checked by a
+// person.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<std::string> bad_scenes() {
     return names;
 }
 
-/// As `lancer check` shows it, run from the project's folder.
+/// The output of `lancer check`, run from the project's folder.
 std::string check(const std::string& path) {
     fs::current_path(LANCER_SOURCE_DIR);
     SourceMap sources;
@@ -91,9 +91,9 @@ bool is_shown(std::string_view text, const std::string& all) {
 }
 
 TEST(BadScenes, ThereIsOneForEveryMessage) {
-    // Of the command line, or of a text too long for a repository: limits_test.cpp and
-    // definitions_test.cpp have these; or of more memory than a test should take:
-    // computed_lists_test.cpp. And the message that is another one's alone.
+    // Messages about the command line, or for a text too long for a repository: limits_test.cpp and
+    // definitions_test.cpp test these. One needs more memory than a test should use:
+    // computed_lists_test.cpp. And one only occurs together with another message.
     const std::vector<Message> elsewhere{
         Message::source_limit,       Message::after_definition,    Message::held_limit,
         Message::unknown_definition, Message::definition_is_block, Message::file_unreadable,

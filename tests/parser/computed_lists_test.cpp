@@ -117,7 +117,7 @@ TEST(ComputedLists, HoldNoMoreThanIsAllowedAtOneTime) {
     EXPECT_EQ(
         message_of("func f(l, n) = n == 0 ? l : f(concat(l, l), n - 1) let a = f([1], 30)", limits),
         message);
-    // What is let go does not count.
+    // Freed values do not count.
     EXPECT_EQ(message_of("for i in 0..1000 { let a = [for i in 0..1000: [i, i]] }", limits), "");
 }
 

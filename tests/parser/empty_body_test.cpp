@@ -1,4 +1,4 @@
-// A warning where nothing is left of what is joined, intersected and cut.
+// A warning about composites of which nothing is left.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace lancer {
 namespace {
 
-/// With CUBE, BALL and RING for the beginning of a block of that shape and of size 1.
+/// Replaces CUBE, BALL and RING by the begin of a block of that shape with size 1.
 bool is_empty(std::string script) {
     for (const auto& [word, block] :
          {std::pair("CUBE", "box { min [-1, -1, -1] max [1, 1, 1]"),

@@ -1,4 +1,4 @@
-// docs/language.md lists every block, property, function and constant as the tables have them.
+// docs/language.md lists every block, property, function and constant as in the tables.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -27,7 +27,7 @@ std::string table(std::span<const Field> fields) {
     return text;
 }
 
-/// Stands in the manual; if not, is shown as it ought to.
+/// Expects the text in the manual; the failure shows the expected text.
 void expect_in_manual(const std::string& text) {
     EXPECT_NE(manual().find(text), std::string::npos) << text;
 }

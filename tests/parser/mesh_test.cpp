@@ -1,4 +1,5 @@
-// What a mesh block makes of its edges, and what is said of glass that is not closed.
+// The result of a mesh block for closed and open meshes, and messages about glass that is not
+// closed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -113,7 +114,7 @@ TEST(MeshBlock, BodyIsTheAuthorsWord) {
     const auto sheet = test::run(closed + glass + " body false }");
     EXPECT_EQ(sheet.messages, "") << "it was asked for";
     EXPECT_FALSE(is_body(sheet.scene, sheet.scene.objects.at(0).shape));
-    // A part of a body may have gaps then, and one mesh may be both.
+    // Then a part of a body may have gaps, and one mesh may be used in both ways.
     const std::string cut = "difference { box { min [0, 0, 0] max [1, 1, 1] } " + open_box;
     EXPECT_NE(test::run(cut + "} }").messages, "");
     EXPECT_EQ(test::run(cut + "body true } }").messages, "");

@@ -1,8 +1,9 @@
-// A number type of 113 bits (IEEE 754 binary128), to judge the others by. The arithmetic is the
-// compiler's, in software; the functions are glibc's, which has them for this type.
+// A number type of 113 bits (IEEE 754 binary128) for checking the others. The compiler provides the
+// arithmetic, in software; glibc has the functions for this type.
 //
-// Include before any header of tracer/: its templates look up elementary::pow and the like where
-// they are defined, not where they are used. The others are found by argument.
+// Include this before any header of tracer/. Its templates look up elementary::pow and the like
+// where they are defined, not where they are used. Other functions are found by argument-dependent
+// lookup.
 #pragma once
 
 #include <limits>
@@ -13,7 +14,7 @@
 
 namespace lancer {
 
-/// Converts from every built-in number by itself, as none has more bits; back only when asked.
+/// Converts implicitly from every built-in number, since none has more bits; back only explicitly.
 struct Quad {
     using Bits = __float128;
 
@@ -94,7 +95,7 @@ class std::numeric_limits<lancer::Quad> {
     static constexpr int min_exponent = -16381;
     static constexpr int max_exponent = 16384;
 
-    // Those of long double where they are the same: its exponent has as many bits.
+    // Those of long double where they are equal: the exponent has as many bits.
     static constexpr Quad epsilon() { return 0x1p-112; }
     static constexpr Quad min() { return numeric_limits<long double>::min(); }
     static constexpr Quad max() { return (2 - epsilon()) * 0x1p16383L; }
@@ -103,7 +104,7 @@ class std::numeric_limits<lancer::Quad> {
     static constexpr Quad quiet_NaN() { return numeric_limits<double>::quiet_NaN(); }
 };
 
-/// The nearest number of 64 bits, and what is left.
+/// The nearest number of 64 bits, plus the rest.
 template <>
 inline constexpr lancer::Quad std::numbers::pi_v<lancer::Quad> =
     lancer::Quad(std::numbers::pi_v<long double>) - 5.0165576126683320234517576e-20L;

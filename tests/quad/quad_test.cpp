@@ -1,4 +1,4 @@
-// The judge judged: that the type has its 113 bits, and that the renderer keeps them.
+// Tests that the type has its 113 bits, and that the renderer keeps them.
 #include "tests/quad/quad.h"
 
 #include <gtest/gtest.h>
@@ -36,8 +36,8 @@ TEST(Quad, FunctionsAreTrueToTheLastBits) {
     const Quad third = Quad(1) / 3;
     constexpr Quad pi = std::numbers::pi_v<Quad>;
     expect_same(sqrt(third) * sqrt(third), third);
-    EXPECT_TRUE(fma(third, 3, -1) == -epsilon / 4);  // what 1/3 lost to rounding, thrice
-    // sin of the number next to pi is what that number lacks of pi.
+    EXPECT_TRUE(fma(third, 3, -1) == -epsilon / 4);  // three times the rounding error of 1/3
+    // The sine of the number nearest to pi is the distance of that number from pi.
     EXPECT_LT(static_cast<double>(abs(elementary::sin(pi))), 1e-34);
     expect_same(elementary::cos(pi / 3), Quad(0.5));
     expect_same(elementary::tan(pi / 4), 1);

@@ -1,4 +1,4 @@
-// The tracer in 113 bits: the judge of the last digits. Some forty times slower than double.
+// The tracer in 113 bits, for checking last digits. About forty times slower than double.
 #pragma once
 
 #include <memory>

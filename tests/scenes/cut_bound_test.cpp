@@ -1,4 +1,4 @@
-// What limits leave out of every scene of scenes/ is never more than its bound.
+// The light that limits cut in every scene of scenes/ never exceeds its bound.
 #include "accuracy/cut_bound.h"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 namespace lancer {
 namespace {
 
-/// A pixel's centre each; no limits of these follow more than `deep` does.
+/// One ray per pixel centre; `deep` follows at least as far as all tested limits.
 void expect_within_bound(Scene scene, const std::string& path) {
-    // 1e-4: followed further, two branches at every surface of glass have no end.
+    // With less than 1e-4, two branches at every surface of glass would never end.
     const TraceLimits deep{24, 1e-4};
     scene.settings.max_depth = deep.max_depth;
     scene.settings.min_contribution = deep.min_contribution;

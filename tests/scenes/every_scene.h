@@ -1,4 +1,4 @@
-// The scenes of the collection that are right, one after the other.
+// The valid scenes of the collection, one after the other.
 #pragma once
 
 #include <filesystem>

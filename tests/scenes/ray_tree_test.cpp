@@ -1,4 +1,4 @@
-// Ray trees of every scene of scenes/: they tell of the picture itself, and leave nothing out.
+// Ray trees of every scene of scenes/: they describe the picture itself, and are complete.
 #include <gtest/gtest.h>
 
 #include "tests/scenes/every_scene.h"
@@ -19,7 +19,7 @@ Color behind(const Scene& scene, const Vec3d& direction) {
     return (1 - share) * stops[next - 1].color + share * stops[next].color;
 }
 
-/// What the surfaces and backgrounds of a tree send, each by its weight.
+/// The sum of the light that the surfaces and backgrounds of a tree send, with its weights.
 Color sum_of(const RayTree& tree, const Scene& scene) {
     Color sum(0);
     for (const RayTree::Ray& ray : tree.rays) {
@@ -31,7 +31,7 @@ Color sum_of(const RayTree& tree, const Scene& scene) {
     return sum;
 }
 
-/// Each ray but the first is named once, by what stands before it.
+/// Every ray except the first has exactly one parent, which precedes it.
 void expect_a_tree(const RayTree& tree) {
     std::vector<int> named(tree.rays.size(), 0);
     for (std::uint32_t i = 0; i < tree.rays.size(); ++i) {

@@ -122,11 +122,12 @@ TYPED_TEST(BvhOf, ARayThatIsNoneVisitsItemsAlone) {
     }
 }
 
-/// So many that several threads cut the upper parts together, and build what is below in turns.
+/// So many boxes that several threads split the upper nodes together and build the lower ones in
+/// turns.
 TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
     Sampler<double> random{std::mt19937_64(3)};
     std::vector<Bounds<double>> boxes = random_boxes(random, Vec3d(0), 200000);
-    // A heap in one place, which no plane divides.
+    // Many boxes in one place, which no plane can separate.
     boxes.resize(boxes.size() + 70000, around(Vec3d(0.5), Vec3d(1e-3)));
     const Bvh<double> one = build_bvh(boxes, 4, 1);
     for (const int threads : {2, 3, 8}) {

@@ -55,7 +55,7 @@ Image without_losses(const Scene& scene, int width = 32, int height = 24) {
     return image;
 }
 
-/// Pixels of which some channel differs by more than rounding and one bead's edge explain.
+/// Pixels in which some channel differs by more than rounding and the edge of one bead account for.
 int pixels_apart(const Image& a, const Image& b, double bound) {
     int apart = 0;
     for (std::size_t i = 0; i < a.data.size(); i += 3) {
@@ -67,8 +67,8 @@ int pixels_apart(const Image& a, const Image& b, double bound) {
     return apart;
 }
 
-/// Straight through the centre of concentric shells nothing bends, so the way through any number of
-/// them is known: the sky behind, times T for every surface.
+/// A ray straight through the centre of concentric shells is not bent, so its colour is known for
+/// any number of shells: the sky behind, times T for every surface.
 TEST(NestedShells, AStraightRayCrossesEachTwice) {
     for (const int shells : {1, 2, 5, 20, 50}) {
         Scene scene;
@@ -300,7 +300,7 @@ TEST(MeshWithAGap, IsABodyWhereItsAuthorSaysSo) {
     EXPECT_COLOR_NEAR(through(Inside::never, from, at), Color(1), 1e-12);
     EXPECT_COLOR_NEAR(through(Inside::always, from, at), Color(std::exp(-0.5 * std::sqrt(0.5))),
                       1e-12);
-    // In by the gap: nobody knows that the ray is inside.
+    // The ray enters through the gap, so nothing shows that it is inside.
     EXPECT_COLOR_NEAR(through(Inside::always, {0.5, 5, 0.5}, {0.5, 0, 0.5}), Color(1), 1e-12);
 }
 
@@ -356,7 +356,7 @@ TEST(NoObject, IndexOneAndFullTransmissionChangeNoBit) {
         Material shiny = matt;
         shiny.reflection = Color(0.3);
         for (int i = 0; i < 4; ++i) show(scene, any_body(random), i % 2 == 0 ? matt : shiny);
-        // Out of reach of the air: air in glass is a bubble.
+        // The air is out of reach of the other bodies: air inside glass would be a bubble.
         show(scene, any_body(random), clear(1.5), shift(6, 0, 0));
         scene.settings.max_depth = 6;
         scene.cameras = {camera_along({2, 5, 9}, {0, 0, 0})};
@@ -391,7 +391,8 @@ RC_GTEST_PROP(Furnace, NothingIsBrighterThanItsSurroundings, (std::uint32_t seed
         m.fresnel = random() % 2 == 0;
         const double share = number(random, 0, 1);
         const double filter = number(random, 0, 1);
-        // With Fresnel the mirror takes from what passes; without, the two are given apart.
+        // With Fresnel, reflection reduces the transmitted light; without it, the two are
+        // independent.
         m.transmission = share * (1 - filter);
         m.filter = share * filter;
         m.reflection = Color(m.fresnel ? 1 : 1 - share);
@@ -416,8 +417,7 @@ TEST(Furnace, AClearGlassBallIsInvisibleWithFresnelToo) {
     scene.settings.min_contribution = 0;
     scene.settings.max_depth = 14;
     show(scene, Sphere{{0, 0, 0}, 1}, m);
-    // What is lost is what still runs round inside after 14 levels; next to the centre that is
-    // reflectance^13.
+    // The light still inside after 14 levels is lost; near the centre this is reflectance^13.
     EXPECT_COLOR_NEAR(seen(scene, {0.2, 0.1, 9}, {0.2, 0.1, 0}), Color(1), 1e-12);
 }
 

@@ -1,5 +1,5 @@
-// Rays that meet a glass mesh exactly at an edge or a corner: whichever face they take, none may
-// lose its way out.
+// Rays that meet a glass mesh exactly at an edge or a corner: whichever face they take, each must
+// find its way out.
 #include <random>
 
 #include "tests/tracer/scene_kit.h"
@@ -53,7 +53,7 @@ Mesh splinter() {
                     {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
 }
 
-/// A prism along z whose section is an L: its edge at the origin is hollow.
+/// A prism along z with an L-shaped section: its edge at the origin is concave.
 Mesh notched_prism() {
     const double outline[6][2] = {{0, 0}, {2, 0}, {2, -2}, {-2, -2}, {-2, 2}, {0, 2}};
     std::vector<Vec3d> vertices;
@@ -95,8 +95,8 @@ std::uint64_t lost(const Mesh& mesh, const Affine<double>& map, double ior, bool
     return counts.media_lost;
 }
 
-/// In the section: from (-0.5, 0.25) to the edge at (1, 1) the ray meets both faces beyond the
-/// critical angle, and goes back the way it came.
+/// In the section, a ray from (-0.5, 0.25) to the edge at (1, 1) meets both faces beyond the
+/// critical angle and returns the way it came.
 TEST(MeshEdge, TotalReflectionInARightAngleTurnsTheRayBack) {
     Scene scene;
     scene.settings.min_contribution = 0;
@@ -112,7 +112,7 @@ TEST(MeshEdge, TotalReflectionInARightAngleTurnsTheRayBack) {
     }
 }
 
-/// Edges and corners, bulging and hollow; turned, they are hit as nearly as rounding lets one aim.
+/// Convex and concave edges and corners; when rotated, rays hit them as closely as rounding allows.
 TEST(MeshEdge, NoCrossingIsLostAtEdgesAndCorners) {
     const std::vector<Mesh> meshes{right_prism(), cube(), splinter(), notched_prism()};
     std::mt19937 random(3);

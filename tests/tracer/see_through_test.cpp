@@ -1,5 +1,5 @@
-// Light through transparent things by one search is the same, bit for bit, as from contact to
-// contact.
+// Light through transparent things found by one search is the same, bit for bit, as when found
+// contact by contact.
 #include <random>
 
 #include "tests/tracer/scene_kit.h"

@@ -1,5 +1,5 @@
-// Glass meshes with interpolated normals, where the shading normal sends a ray to another side of
-// the facet than its kind says: docs/shading.md, "Smooth meshes".
+// Glass meshes with interpolated normals where the shading normal sends a ray to the wrong side of
+// the facet for its kind: docs/shading.md, "Smooth meshes".
 #include "tests/tracer/scene_kit.h"
 
 namespace lancer {
@@ -50,8 +50,8 @@ Vec3d bent_at_level(const Vec3d& d, double ratio) {
     return {x, 0, -std::sqrt(1 - x * x)};
 }
 
-/// Refracted back to the side that it came from, a ray counts as having entered all the same: on
-/// meeting another face of the mesh, this time from outside, it is bent as if it left.
+/// A ray that is refracted back to the side from which it came still counts as having entered. When
+/// it meets another face of the mesh, now from outside, it is bent as if it left.
 TEST(SmoothMesh, ARefractedRayHasCrossedWhateverTheFacetSays) {
     const Vec3d shading = normalize(Vec3d(-1, 0, 1));
     Mesh mesh;
@@ -88,8 +88,8 @@ Mesh slanted_block(const Vec3d& normal) {
     return mesh;
 }
 
-/// Mirrored through the facet, a ray counts as still outside: on leaving the body that it is in it
-/// is bent as if it entered.
+/// A ray that is mirrored through the facet still counts as outside. When it leaves the body that
+/// it is in, it is bent as if it entered.
 TEST(SmoothMesh, AMirroredRayHasNotCrossedWhateverTheFacetSays) {
     const Vec3d shading = normalize(Vec3d(1, 0, 0.2));
     Material m = clear(1.5);
@@ -106,7 +106,8 @@ TEST(SmoothMesh, AMirroredRayHasNotCrossedWhateverTheFacetSays) {
     EXPECT_COLOR_NEAR(seen(scene, {0, 0, 25}, {0, 0, 0}), Color(0.5), exact);
 }
 
-/// Absorption follows the place: what is mirrored into the body is dimmed on its way there.
+/// Absorption depends on the place: light that is mirrored into the body is dimmed on its way
+/// there.
 TEST(SmoothMesh, AbsorptionIsThatOfThePlace) {
     const Vec3d shading = normalize(Vec3d(1, 0, 0.2));
     Material m = clear(1);

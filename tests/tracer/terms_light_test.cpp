@@ -1,4 +1,4 @@
-// The terms that a lamp brings out of a surface, each against its formula worked out by hand:
+// The terms that a lamp contributes at a surface, each compared with its formula computed by hand:
 // docs/shading.md.
 #include "tests/tracer/scene_kit.h"
 
@@ -9,7 +9,7 @@ using namespace kit;
 
 constexpr double exact = 1e-12;
 
-/// Black but for the terms that a test gives it.
+/// Black except for the terms that a test sets.
 Material matt(const Color& color, double diffuse) {
     Material m;
     m.color = color;

@@ -1,4 +1,4 @@
-// Mirrors and glass, term by term, against colours worked out by hand: docs/shading.md.
+// Mirrors and glass, term by term, compared with colours computed by hand: docs/shading.md.
 #include "tests/tracer/scene_kit.h"
 
 namespace lancer {
@@ -37,7 +37,7 @@ Scene empty_scene() {
 }
 const Color sky(0.25, 0.5, 1);
 
-/// Unpolarised reflectance by Fresnel's equations as in any textbook, not by the tracer's form.
+/// Unpolarised reflectance by Fresnel's equations in the textbook form, not in the tracer's form.
 double fresnel(double cosine, double from, double to) {
     const double sine = from / to * std::sqrt(1 - cosine * cosine);
     if (sine >= 1) return 1;
@@ -114,7 +114,7 @@ TEST(Glass, FresnelTakesFromWhatPassesWhatItMirrors) {
     Scene scene = empty_scene();
     show(scene, Plane{{0, 1, 0}, 0}, m);
     const Color k = fresnel(0.8, 1, 1.5) * m.reflection;
-    // Into the half space, where it is black: what passes is lost for ever.
+    // The ray into the half space ends in black: what passes is absorbed.
     m.absorption = Color(1);
     scene.materials[1] = m;
     EXPECT_COLOR_NEAR(seen(scene, {3, 4, 0}, {0, 0, 0}), k * sky, exact);
@@ -271,7 +271,7 @@ TEST(Alpha, AnImagesAlphaReplacesFilterAndTransmission) {
     scene.textures.push_back({ImageTexture{}, {}});
     Material m = glowing(Color(1));
     m.texture = 0;
-    m.transmission = 0.5;  // not asked
+    m.transmission = 0.5;  // ignored
     m.filter = 0.5;
     show(scene, Plane{{0, 1, 0}, 0}, m);
     show(scene, Plane{{0, 1, 0}, -1}, glowing({0, 1, 0}));

@@ -1,5 +1,5 @@
-// Textures on shapes: which texture point does a ray see? An image whose colour is its own (u, v)
-// tells.
+// Textures on shapes: which texture point a ray sees. An image whose colour is its own (u, v) tells
+// this.
 #include "tests/tracer/scene_kit.h"
 
 namespace lancer {
@@ -233,14 +233,14 @@ bool all_equal(const Scene& scene, const Color& color) {
     return true;
 }
 
-/// A floor on the border of two rows of cubes, made one colour within the row by stretching the
-/// cubes along it.
+/// A floor on the border between two rows of cubes. The cubes are stretched along the row, so that
+/// each row has one colour.
 TEST(TextureSpace, AFloorOnABorderOfTheCheckerDoesNotSpeckle) {
     for (const Precision precision : {Precision::single, Precision::double_, Precision::extended}) {
         for (const double angle : {0.0, 17.0, 45.0}) {
             for (const double height : {0.0, 1.0, -0.5}) {
-                // One tenth is not a number of the machine: an integer multiple of it is met only
-                // as nearly as the precision rounds.
+                // One tenth is not representable, so the floor meets the border only within
+                // rounding of the precision.
                 const double edge = precision == Precision::extended ? 0.125 : 0.1;
                 const Affine<double> cubes =
                     in_turn(shift(-0.5, 0, -0.5), stretched(1e5, edge, 1e5));

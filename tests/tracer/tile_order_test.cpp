@@ -1,4 +1,4 @@
-// The tiles that are done first tell of the whole picture.
+// The tiles that are rendered first represent the whole picture.
 #include "tracer/tile_order.h"
 
 #include <gtest/gtest.h>
@@ -29,8 +29,8 @@ TEST(TileOrder, LastTileOfTheLargestPicture) {
     EXPECT_LT(order[count - 1], count);
 }
 
-// A picture whose lower part takes a hundred times as long: a bar that goes row by row would say at
-// a third of the picture that 1 % of the work is done.
+// A picture whose lower part takes a hundred times as long. A progress bar in the order of rows
+// would show 1 % of the work at a third of the picture.
 TEST(TileOrder, ShareOfTilesIsShareOfWork) {
     for (const int count : {300, 437, 1200, 4800, 9973}) {
         const TileOrder order(count);

@@ -1,4 +1,4 @@
-// Triangles side by side are told apart as each would be by itself.
+// Triangles side by side give the same results as each of them alone.
 #include "tracer/shapes/triangle_leaf.h"
 #include "tracer/rays/shear.h"
 

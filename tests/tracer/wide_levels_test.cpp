@@ -1,4 +1,4 @@
-// Rays side by side bring the same bytes, and count the same rays, as one at a time.
+// Rays side by side give the same bytes and the same counts of rays as one at a time.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -133,9 +133,9 @@ TEST(WideLevels, MeshesAreTheSame) {
     }
 }
 
-/// Glass that touches, overlaps, holds other glass and opaque things, stands on the ground and on
-/// other glass, of several indices, one of them that of the air; balls, boxes and what wide code
-/// leaves to scalar code.
+/// Glass that touches, overlaps, contains other glass and opaque bodies, stands on the ground and
+/// on other glass, with several indices, one of them that of air; balls, boxes and shapes that only
+/// scalar code handles.
 Scene glassware(unsigned seed) {
     std::mt19937 random(seed);
     const auto between = [&](double a, double b) {
@@ -220,8 +220,8 @@ TEST(WideLevels, GlassIsTheSame) {
     EXPECT_GE(wide, supported_wide_levels().empty() ? 0 : 35) << "too few went side by side";
 }
 
-/// More rays of a level than a wave holds, and more sums than a tile keeps: the rest goes one by
-/// one.
+/// More rays of a level than a wave can hold, and more sums than a tile can keep: the rest is
+/// traced one by one.
 TEST(WideLevels, GlassWithMoreRaysThanThereIsRoomForIsTheSame) {
     Stage s;
     s.scene.width = s.scene.height = 16;
@@ -237,7 +237,8 @@ TEST(WideLevels, GlassWithMoreRaysThanThereIsRoomForIsTheSame) {
     EXPECT_TRUE(expect_same_on_all_levels(s.scene, "full") || supported_wide_levels().empty());
 }
 
-/// Starts of mirrored rays next to the surface, lights in it, giants and specks: lanes are unsure.
+/// Mirrored rays that start next to the surface, lights on it, very large and very small bodies:
+/// lanes become unsure.
 TEST(WideLevels, WhatIsUnsureIsTheSame) {
     for (const double size : {1e-9, 1e-4, 1.0, 1e5}) {
         Stage s;

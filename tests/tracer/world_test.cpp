@@ -1,4 +1,4 @@
-// The compiled world carries what the scene requires, and `lancer info` says the same.
+// The compiled world contains what the scene requires, and `lancer info` reports the same.
 #include <random>
 
 #include "tests/extremes/stage.h"
@@ -64,7 +64,7 @@ Affine<double> turned_and_stretched(std::mt19937& random,
     return map;
 }
 
-/// Corners of turned, stretched and sheared meshes, put into the world in a wider type.
+/// The corners of rotated, stretched and sheared meshes, transformed to the world in a wider type.
 template <class Real>
 void expect_boxes_hold_their_meshes() {
     double all = 0;
@@ -94,7 +94,7 @@ void expect_boxes_hold_their_meshes() {
     EXPECT_LT(all, 0.85 * of_corners);
 }
 
-/// The same of rings: of places all over each.
+/// The same for rings, with points all over each.
 template <class Real>
 void expect_boxes_hold_their_rings() {
     double all = 0;

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
             bench::measure(rows, [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
         const std::string section = bench::accuracy_section(measured);
         if (!wanted.empty()) {
-            fmt::print("{}", section);  // a part is for looking at
+            fmt::print("{}", section);  // a part is only shown
             return 0;
         }
         io::write_file(argv[1], bench::with_section(io::read_file(argv[1]), section));

@@ -70,7 +70,7 @@ Image filled(int width, int height, const Color& color) {
     return image;
 }
 
-/// What all programs are held to at k, where it is not their own picture.
+/// The truth for all programs at k, if the row does not compare a program with itself.
 Image common_truth(const Row& row, int k) {
     if (row.formula) return row.formula(k);
     if (row.uniform) {
@@ -90,7 +90,7 @@ std::map<int, Image> common_truths(const Row& row) {
     return truths;
 }
 
-/// A row's pictures in any program: `shoot` makes them.
+/// The pictures of a row in one program; `shoot` renders them.
 Course run(const Row& row, const std::map<int, Image>& truths,
            const std::function<Shot(const Scene&)>& shoot) {
     Course course;
@@ -115,7 +115,8 @@ class PovRayRun {
   public:
     explicit PovRayRun(reference::PovRay povray) : povray_(std::move(povray)) {}
 
-    /// Wants the picture, or gives it once it is made. A scene is known by its export.
+    /// Registers the picture at first, and returns it once it is made. A scene is identified by its
+    /// export.
     Shot shoot(const Scene& scene) {
         const reference::ExportResult exported = reference::export_pov(
             scene, {0, scene.width, scene.height}, {.name = "scene", .decades = 0});

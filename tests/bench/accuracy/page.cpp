@@ -30,7 +30,8 @@ std::size_t easiest(const std::vector<int>& ks) {
     return zero == ks.end() ? 0 : static_cast<std::size_t>(zero - ks.begin());
 }
 
-/// "0", or where it is right and how wrong it is beyond: "0 from −2 to 3; −3: 10 px, 4: 1 %".
+/// "0", or the range where the pictures are right and how wrong they are beyond: "0 from −2 to 3;
+/// −3: 10 px, 4: 1 %".
 std::string cell(const MeasuredRow& measured, const Course& course) {
     if (!course.absent.empty() || course.wrong.empty()) return "–";
     const bool refused = course.failures.size() == course.wrong.size();
@@ -75,7 +76,7 @@ std::string cell(const MeasuredRow& measured, const Course& course) {
     return text + "; " + rest;
 }
 
-/// Where Lancer in double is looser than the aims.
+/// The rows in which Lancer in double misses its aims.
 std::vector<std::string> shortfalls(const Measurement& measurement) {
     std::vector<std::string> found;
     for (const MeasuredRow& measured : measurement.rows) {

@@ -7,7 +7,7 @@
 
 namespace lancer::bench {
 
-/// The table in Markdown, and below it what is looser than asked for.
+/// The table in Markdown, followed by the rows that miss their aims.
 std::string accuracy_section(const Measurement& measurement);
 
 /// Wrong pixels against k, of the rows that are `plotted`. An SVG document.

@@ -62,7 +62,7 @@ View view_of(int width) {
     return view;
 }
 
-/// Seconds of processor time: what other processes do counts less than on the wall clock.
+/// Seconds of processor time, which other processes influence less than wall-clock time.
 double seconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -83,8 +83,8 @@ double different(const Image& a, const Image& b) {
     return static_cast<double>(count) / a.width / a.height;
 }
 
-/// Every set renders the scene in turn, `rounds` times. The median over the rounds of own time by
-/// the set's time.
+/// Renders the scene with every set in turn, `rounds` times. Returns the median over the rounds of
+/// the tracer's time divided by the set's time.
 nlohmann::json measure(const std::string& name) {
     Settings settings;
     const Scene scene = load(name, settings);

@@ -1,4 +1,4 @@
-// Renderers whose kernels are in part the textbooks', each in a library of its own.
+// Renderers in which textbook formulas replace some kernels, each in a library of its own.
 #pragma once
 
 #include <memory>

@@ -17,10 +17,10 @@ concept Shapes = std::same_as<Real, double> &&(LANCER_METHODS & 1) != 0;
 /// Slab tests that are not widened.
 template <class Real>
 concept Tree = std::same_as<Real, double> &&(LANCER_METHODS & 2) != 0;
-/// Starts rounded to one number, lengths taken without scaling.
+/// Starts rounded to one number, lengths without scaling.
 template <class Real>
 concept Places = std::same_as<Real, double> &&(LANCER_METHODS & 4) != 0;
-/// The nearest hit beyond an epsilon, alone.
+/// Only the nearest hit beyond an epsilon, without contacts.
 template <class Real>
 concept Contacts = std::same_as<Real, double> &&(LANCER_METHODS & 8) != 0;
 

@@ -1,6 +1,6 @@
-// Rays whose start is one rounded number, and that prepare nothing but reciprocals. Must be
-// included before what calls these functions with vectors alone, which are found only where they
-// are known.
+// Rays whose start is one rounded number and that precompute only reciprocals. Must be included
+// before code that calls these functions with vectors alone, because such calls find only functions
+// that are already declared.
 #pragma once
 
 #include "tests/bench/kernels/textbook_methods.h"

@@ -1,7 +1,7 @@
 // One set of kernels: LANCER_METHODS says which (textbook_methods.h, CMakeLists.txt).
 #include "tests/bench/kernels/textbook_tracer.h"
 
-// After the kernels that it is to find.
+// Included after the kernels, so that they are found.
 #include "tests/bench/kernels/kernel_sets.h"
 #include "tracer/renderer_of.h"
 

@@ -1,5 +1,5 @@
-// The five shapes by the formulas of the textbooks: the start's own hit is told by its distance,
-// t <= epsilon. No error bounds, no scaling, no second thoughts.
+// The five shapes by textbook formulas. A hit of the surface on which the ray starts is recognized
+// by its distance, t <= epsilon. There are no error bounds, no scaling and no exact methods.
 // Glassner (ed.), An Introduction to Ray Tracing (1989), ch. 2; Moeller, Trumbore, "Fast, minimum
 // storage ray-triangle intersection", JGT 2(1) 1997.
 #pragma once

@@ -1,5 +1,5 @@
-// What stands between the shapes, as textbooks have it: plain slab tests, starts rounded to one
-// number, the nearest hit beyond an epsilon.
+// The code between the shapes in its textbook form: plain slab tests, starts rounded to one number,
+// the nearest hit beyond an epsilon.
 #pragma once
 
 #include "tests/bench/kernels/textbook_shapes.h"
@@ -15,7 +15,7 @@ Numbers widened_far(const Numbers& far) {
     return far;
 }
 
-// One plane after the other: a textbook's crossing costs no more than a filter.
+// Tests one plane after the other: a textbook's crossing costs no more than a filter.
 
 template <methods::Shapes Real>
 class NearestPlanes<Real> {
@@ -62,7 +62,7 @@ class IntersectionFilter<Real, Bodies> {
     Real met_at(const Crossing<Real>& c) const { return c.t; }
     bool starts_on(std::uint32_t) const { return false; }
     bool lets_pass(std::uint32_t, bool) const { return true; }
-    // Composites ask; the bench has none.
+    // Only composites need this, and the bench has none.
     const Start<Real>& start() const { return start_; }
     std::optional<bool> state_of(std::uint32_t) const { return std::nullopt; }
 

@@ -34,7 +34,7 @@ struct Measured {
     double apart = 0;  ///< percent of the rays whose distance is off by more than 1e-4
 };
 
-/// Searches take turns. Where every triangle is asked, 2 * 10^8 of them have to do.
+/// The searches take turns. A search that tests every triangle is limited to 2 * 10^8 tests.
 std::vector<Measured> measure(const std::vector<NamedSearch>& searches,
                               const std::vector<SearchRay>& rays, int rounds,
                               std::size_t triangles) {
@@ -79,7 +79,7 @@ void table(int around, int across, int rounds) {
     const std::vector<SearchRay> scattered = scattered_rays(mesh, coherent, hits, faces);
     const auto from_camera = measure(searches, coherent, rounds, mesh.faces.size());
     const auto from_surface = measure(searches, scattered, rounds, mesh.faces.size());
-    // The measure of both: Embree's single rays, where they are.
+    // The reference for both: Embree's single rays, if Embree is installed.
     const auto embree = std::find_if(searches.begin(), searches.end(), [](const NamedSearch& s) {
         return std::strcmp(s.name, "Embree, float, one ray") == 0;
     });

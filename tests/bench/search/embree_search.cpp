@@ -64,7 +64,7 @@ class Prepared {
         }
     }
 
-    /// \param coherent  tells Embree that the rays keep together
+    /// \param coherent  tells Embree that the rays are similar
     void by_eights(bool coherent, std::span<const SearchRay> rays, std::span<double> distances,
                    std::span<std::uint32_t> faces) const {
         RTCIntersectContext context;

@@ -25,7 +25,7 @@ namespace search {
 
 namespace {
 
-/// The exact methods that a mesh's search asks: crossings with the mesh.
+/// The exact methods that the search of a mesh calls: crossings with the mesh.
 class Crossings final : public wide::ExactMethods {
   public:
     explicit Crossings(const World<double>& world) : world_(world) {}
@@ -87,7 +87,7 @@ class Prepared {
         }
     }
 
-    /// Rays that the level is unsure about are searched for once more, one by one.
+    /// Searches again, one by one, for rays that are unsure on this level.
     template <class Level>
     void by_eights(Level search, std::span<const SearchRay> rays, std::span<double> distances,
                    std::span<std::uint32_t> faces) const {

@@ -1,4 +1,4 @@
-// The search of wide code by itself. Compiled once for each level, after wide/level_code.h.
+// The search of the wide code alone. Compiled once for each level, after wide/level_code.h.
 #pragma once
 
 namespace lancer::wide {

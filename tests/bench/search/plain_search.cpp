@@ -1,4 +1,5 @@
-// What rays cost without a tree: every triangle, and the grid of the course that Lancer comes from.
+// The cost of rays without a tree: all triangles, and the grid of the course on which Lancer is
+// based.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// A mesh and rays that look for it: what the searches of bench_search are asked.
+// A mesh and rays for the searches of bench_search.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace lancer::search {
 
-/// A ray that may start anywhere; `direction` is unit but for rounding.
+/// A ray with any origin; `direction` is a unit vector up to rounding.
 struct SearchRay {
     Vec3d origin, direction;
 };
@@ -24,16 +24,16 @@ Mesh torus_knot(int around, int across);
 /// Rays of a camera with side x side pixels, eight neighbours (4 x 2 pixels) after each other.
 std::vector<SearchRay> camera_rays(int side);
 
-/// Rays that leave where `rays` hit, a thousandth of the scene off the surface, to all sides of it
-/// as a matt surface scatters light (cosine-weighted).
+/// Rays from the hits of `rays`, a thousandth of the scene off the surface, in directions in which
+/// a matt surface scatters light (cosine-weighted).
 ///
 /// \param hits  distances along `rays`; no_hit: none
 std::vector<SearchRay> scattered_rays(const Mesh& mesh, std::span<const SearchRay> rays,
                                       std::span<const double> hits,
                                       std::span<const std::uint32_t> faces);
 
-/// Finds for each ray the distance to the nearest triangle, or no_hit; in `faces`, unless it is
-/// empty, which one.
+/// Finds for each ray the distance to the nearest triangle, or no_hit; and its index in `faces`,
+/// unless that is empty.
 using Search = std::function<void(std::span<const SearchRay> rays, std::span<double> distances,
                                   std::span<std::uint32_t> faces)>;
 
@@ -47,7 +47,7 @@ struct NamedSearch {
 std::vector<NamedSearch> lancer_searches(const Mesh& mesh);
 /// Embree's, in float; none where it is not installed.
 std::vector<NamedSearch> embree_searches(const Mesh& mesh);
-/// Every triangle by every ray, and a grid of as many boxes as triangles, as the course had it.
+/// Every triangle by every ray, and the course's grid with as many boxes as triangles.
 std::vector<NamedSearch> plain_searches(const Mesh& mesh);
 
 }  // namespace lancer::search

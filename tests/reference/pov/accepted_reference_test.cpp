@@ -1,4 +1,4 @@
-// POV-Ray reads without a word of complaint everything that the exporter can write.
+// POV-Ray accepts everything that the exporter can write without a warning.
 #include <gmock/gmock.h>
 
 #include "tests/reference/pov/povray_fixture.h"
@@ -22,7 +22,7 @@ class Accepted : public WithPovRay {
         }
     }
 
-    /// All shapes beside each other in this material; uv asks for those that have some.
+    /// All shapes side by side in this material; `uv`: only those that have texture coordinates.
     static void show_all(Scene& scene, std::uint32_t material, bool uv = false) {
         double x = -8;
         for (const Shape& shape : all_shapes(scene)) {

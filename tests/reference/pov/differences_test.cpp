@@ -1,5 +1,5 @@
-// Which differences from POV-Ray the export of a scene names. That they are real is tested by
-// known_differences_test.cpp.
+// The differences from POV-Ray that the export of a scene names. known_differences_test.cpp tests
+// that they are real.
 #include "reference/pov/differences.h"
 
 #include <gmock/gmock.h>

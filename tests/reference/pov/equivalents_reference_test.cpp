@@ -1,5 +1,5 @@
-// Two ways to say one thing must give one picture: what the exporter puts together by itself,
-// against what POV-Ray does for another shape.
+// Two ways to write one thing must give the same picture: constructions of the exporter compared
+// with what POV-Ray does for another shape.
 #include <utility>
 
 #include "tests/reference/pov/povray_fixture.h"
@@ -10,7 +10,8 @@ namespace {
 
 class Equivalents : public WithPovRay {
   protected:
-    /// Off the edges of geometry equal to the last step; `edges` is the share that may differ.
+    /// Equal to the last step away from edges of geometry; `edges` is the share of pixels that may
+    /// differ.
     void expect_same(const Scene& a, const Scene& b, double edges = 0, double exposure = 1) const {
         const ExportView view{0, 64, 48};
         const Image one = rendered(a, view);
@@ -181,8 +182,8 @@ TEST_F(Equivalents, ACatmullRomLatheIsTheBezierLatheWithItsTangents) {
     expect_same(one, other, 0.002);
 }
 
-// A closed curve is a prism's outline wherever it begins, and an even polygon of control points far
-// inside its own B-spline's reach is nearly a circle: against the cylinder it must enclose.
+// A closed curve makes the same prism wherever it begins. A B-spline whose control points form a
+// regular polygon with many corners is nearly a circle: it is compared with that cylinder.
 TEST_F(Equivalents, ABsplinePrismBeginsAnywhereAndIsNearlyACylinder) {
     constexpr int corners = 48;
     const auto prism_from = [](int first, Spline spline) {
@@ -227,8 +228,8 @@ TEST_F(Equivalents, AGradientIsTheSameOnBothSidesOfZero) {
     expect_same(negative, moved, 0.001);
 }
 
-// The same scene 10,000 times larger or smaller, in world and under transforms, is the same export
-// in POV-Ray's window.
+// The same scene 10,000 times larger or smaller, in world space and under transforms, gives the
+// same export within POV-Ray's range.
 TEST_F(Equivalents, AScaledSceneIsTheSamePicture) {
     const auto scene_at = [](double k, bool by_transform) {
         Scene scene = empty_scene();

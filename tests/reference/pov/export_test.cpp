@@ -15,7 +15,7 @@ using testing::Not;
 
 constexpr ExportView view{0, 160, 120};
 
-/// In the scene's own lengths, which read better.
+/// In the scene's own lengths, which are easier to read.
 std::string text_of(const Scene& scene) {
     return export_pov(scene, view, {.keep_lengths = true}).text;
 }
@@ -167,7 +167,7 @@ TEST(Export, DeclaresWhatHoldsTheCameraFromLargeToSmall) {
     const std::uint32_t material = add_material(scene, glass);
     const Vec3d eye = scene.cameras[0].position;
     add_object(scene, Sphere{eye, 1}, material);
-    add_object(scene, Sphere{eye, 9});  // opaque: no list of POV-Ray's matters
+    add_object(scene, Sphere{eye, 9});  // opaque: irrelevant for POV-Ray's list of interiors
     add_object(scene, Sphere{eye, 3}, material);
     add_object(scene, Sphere{{-50, 0, 0}, 4}, material);
     add_object(scene, Plane{{0, 1, 0}, 7}, material);

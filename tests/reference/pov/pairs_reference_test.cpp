@@ -1,4 +1,4 @@
-// The exporter against scenes that were written by hand in both languages: no tracer takes part.
+// The exporter compared with scenes written by hand in both languages, without the tracer.
 #include <fstream>
 #include <iterator>
 

@@ -1,4 +1,4 @@
-// Tests that run POV-Ray: skipped, loudly, where there is none.
+// Tests that run POV-Ray. They are skipped with a message when it is not installed.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The runner against programs that only pretend to be POV-Ray: no POV-Ray is needed.
+// The runner with programs that imitate POV-Ray: POV-Ray itself is not needed.
 #include "reference/povray/runner.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// An environment variable, put back at the end.
+/// An environment variable that the destructor restores.
 class Variable {
   public:
     Variable(const char* name, const std::string& value) : name_(name) {
@@ -47,7 +47,7 @@ class Variable {
 
 class Runner : public testing::Test {
   protected:
-    /// A shell script in the place of POV-Ray.
+    /// A shell script in place of POV-Ray.
     std::string program(const std::string& body) {
         const fs::path path = folder_.path() / "povray";
         std::ofstream(path) << "#!/bin/sh\n" << body << "\n";

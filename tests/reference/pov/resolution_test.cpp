@@ -1,4 +1,4 @@
-// Which faces lie in one place, and how the exporter tells them apart when it is asked to.
+// Which faces coincide, and how the exporter tells them apart when asked to.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST(Coincidences, OfRoundSides) {
     EXPECT_THAT(resolutions(scene), testing::ElementsAre(Resolution::overlapped));
     scene.objects[1].shape = Cylinder{{0, 0.2, 0}, {0, 1, 0}, 0.69};
     EXPECT_TRUE(resolutions(scene).empty());
-    // The same side from within and from without.
+    // The same side, seen from inside and outside.
     scene.objects[1].shape = Cylinder{{0, 0.2, 0}, {0, 1, 0}, 0.8};
     EXPECT_THAT(resolutions(scene), testing::ElementsAre(Resolution::none));
     scene.objects[0].shape = Sphere{{1, 2, 3}, 2};
@@ -159,7 +159,7 @@ TEST(Resolution, LeavesABodyThinnerThanAStepAlone) {
 }
 
 TEST(Resolution, MovesTheTableWhereTheBodyCannotGrow) {
-    // Growing a tumbler about its middle would draw its inner wall away from the water.
+    // Growing a tumbler about its centre would pull its inner wall away from the water.
     Scene scene = empty_scene();
     const std::uint32_t glass = add_material(scene, clear(1.5));
     const std::uint32_t water = add_material(scene, clear(1.33));
@@ -219,7 +219,7 @@ TEST(Resolution, PutsTheFirstDeclaredInFront) {
 }
 
 TEST(Resolution, OfAPileIsAPile) {
-    // Each in front of the one before: three tops in one place.
+    // Each is in front of the one before: three coincident tops.
     Scene scene = empty_scene();
     for (int i = 0; i < 3; ++i)
         add_object(scene, Box{{0.1 * i, 0, 0.1 * i}, {2 - 0.1 * i, 1, 2 - 0.1 * i}});
@@ -242,7 +242,7 @@ TEST(Resolution, SinksAGlassRodIntoTheWallOfItsHole) {
     EXPECT_NEAR(hole.top.y, 1.001, 1e-9);
     EXPECT_NEAR(hole.radius, 0.499, 1e-9) << "its wall is sunk into the glass";
     EXPECT_EQ(rod(told.scene.objects[1]).radius, 0.5);
-    // It stands on the block then, and over the end of the hole, where nothing is.
+    // Then it stands on the block and over the end of the hole, where nothing is.
     scene.objects[1].shape = Cylinder{{0, 1, 0}, {0, 2, 0}, 0.5};
     EXPECT_THAT(
         resolutions(scene),
@@ -273,8 +273,8 @@ TEST(Resolution, MovesEndsAndSidesOneByOneWhateverTheMap) {
 }
 
 TEST(Resolution, OfWhatCannotMoveIsNone) {
-    // A tumbler of water cannot grow, for its inner wall, and a sheet with two directions cannot
-    // move.
+    // A tumbler of water cannot grow because of its inner wall, and a sheet with two directions
+    // cannot move.
     Scene scene = empty_scene();
     const std::uint32_t glass = add_material(scene, clear(1.5));
     scene.lathes.push_back(

@@ -1,5 +1,5 @@
-// The rules of POV-Ray that docs/export.md states, measured: were one of them otherwise in another
-// POV-Ray, the differences that it excuses would be somebody's mistake.
+// Measures the rules of POV-Ray that docs/export.md states. If another POV-Ray had another rule,
+// the differences that the rule excuses would be errors.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,8 +14,8 @@ constexpr double step = 1.0 / 65535;
 
 class Rules : public WithPovRay {
   protected:
-    /// The middle pixel of a picture along -z from (0, 0, `from`), everything else in the scene's
-    /// words.
+    /// The middle pixel of a picture along -z from (0, 0, `from`); the scene's text determines
+    /// everything else.
     double seen(double from, const std::string& objects) const {
         const std::string text = fmt::format(
             "#version 3.7;\n"
@@ -62,7 +62,7 @@ TEST_F(Rules, GlassWithFresnelAndConserveEnergyIsInvisibleInEvenSurroundings) {
 }
 
 TEST_F(Rules, FresnelNestedMirrorsNothingOnLeavingTheInnerBody) {
-    // Behind the camera light 1, before it light 0: what is seen is mirrored.
+    // Light 1 is behind the camera and light 0 in front, so the visible light is reflected.
     const std::string ends =
         "plane { -z, -9 pigment { rgb 1 } finish { ambient 1 diffuse 0 } }"
         "plane { z, -9 pigment { rgb 0 } finish { ambient 0 diffuse 0 } }"
@@ -77,7 +77,8 @@ TEST_F(Rules, FresnelNestedMirrorsNothingOnLeavingTheInnerBody) {
 }
 
 TEST_F(Rules, ASheetInAMediumBends) {
-    // A tilted sheet without index inside glass: straight on, the ray would meet the glow behind.
+    // A tilted sheet without an index inside glass: a ray that goes straight on would meet the glow
+    // behind.
     const std::string scene =
         "box { -1, 1 texture { Clear } interior { ior 1.5 } }"
         "box { <-0.3, -0.3, -1.9>, <0.3, 0.3, -1.8> texture { Glow } finish { ambient 1 } }";
@@ -87,8 +88,8 @@ TEST_F(Rules, ASheetInAMediumBends) {
     EXPECT_NEAR(seen(5, scene + sheet), 0.5, step);
 }
 
-/// A smooth facet bends the ray back in front of itself; at the next face of the mesh it leaves all
-/// the same. A wall shows where it arrives.
+/// A smooth facet refracts the ray back in front of itself, but at the next face of the mesh it
+/// still leaves. A wall shows where it arrives.
 TEST_F(Rules, SmoothMeshesCountMediaByTheKindOfRay) {
     const std::string mesh =
         "mesh { smooth_triangle { <-0.1, -2, 1>, <-1, -0.01, 1>, <0.1, 0, -1>, <-1, 0, 1>, <-0.1, "

@@ -91,7 +91,8 @@ struct ShapeWriter {
     bool triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
         return line(fmt::format("TRI V0 {} V1 {} V2 {}", place(a), place(b), place(c)));
     }
-    /// Tachyon tells a triangle's sides by the order of its corners, which the mirror turns round.
+    /// Tachyon determines a triangle's sides by the order of its corners, which the mirroring
+    /// reverses.
     bool smooth_triangle(const std::array<Vec3d, 3>& p, const std::array<Vec3d, 3>& n) const {
         const auto normal = [&](int i) { return place(normalize(n[static_cast<std::size_t>(i)])); };
         return line(fmt::format("STRI V0 {} V1 {} V2 {} N0 {} N1 {} N2 {}", place(p[2]),
@@ -127,7 +128,7 @@ bool write_fade(const std::optional<Fade>& fade, std::string& out) {
 }
 
 bool write_light(const Scene& scene, const Light& light, std::string& out) {
-    // Zero radius would be no light; its size does not matter but for being seen.
+    // A zero radius would give no light; otherwise the size only matters when the light is visible.
     const double size = 1e-9 * length(scene.cameras[0].look_at - scene.cameras[0].position);
     if (!light.shadows) return false;
     if (const auto* point = std::get_if<PointLight>(&light.kind)) {
@@ -148,7 +149,7 @@ bool is_glass(const Material& m) {
     return m.filter + m.transmission > 0;
 }
 
-/// Whether there are words for all of it.
+/// Whether Tachyon has words for the whole material.
 bool has_words(const Material& m) {
     return !is_glass(m) && m.texture == none && m.blinn == 0 && m.fresnel == 0 && m.metallic == 0 &&
            m.reflection.x == m.reflection.y && m.reflection.y == m.reflection.z &&

@@ -1,4 +1,4 @@
-// Tachyon (Debian: tachyon), a ray tracer without refraction and cones, to compare with.
+// Tachyon (Debian: tachyon), a ray tracer without refraction and cones, for comparisons.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@
 
 namespace lancer {
 
-/// A scene in Tachyon's words.
+/// A scene in Tachyon's language.
 struct TachyonScene {
     std::string text;
-    /// Objects and lights for which it has no words, and the sky: cones, glass, splines, spot
-    /// lights and whatever stands under a transform are missing, a textured object has its plain
-    /// colour.
+    /// The number of objects and lights that Tachyon cannot express, and the sky: cones, glass,
+    /// splines, spot lights and everything under a transform are missing; a textured object has its
+    /// plain colour.
     std::size_t not_said = 0;
 };
 
-/// The first camera's view. Tachyon's space is left-handed: what it gets is the mirror image, and
-/// its picture is ours.
+/// The first camera's view. Tachyon's space is left-handed: it gets the mirror image of the scene,
+/// and its picture is equal to ours.
 TachyonScene tachyon_scene(const Scene& scene);
 
 /// The program in PATH; empty where there is none.

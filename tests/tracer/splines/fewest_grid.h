@@ -1,4 +1,4 @@
-// What a uniform grid needs: the fewest triangles that keep a tolerance as far as samples tell.
+// The least number of triangles of a uniform grid that keeps a tolerance at sample points.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,10 @@
 
 namespace lancer::splines {
 
-/// Uniform grids of m x n cells over one Bezier patch, each cell halved the better way, and judged
-/// by the distance of sampled points from the patch. No proof, no border in common with a
-/// neighbour: no grid that keeps a promise has fewer triangles.
+/// Uniform grids of m x n cells over one Bézier patch; each cell is split along the better
+/// diagonal, and the distance of sample points from the patch is tested. This is no proof, and
+/// borders need not match those of neighbours: so no uniform grid with a guarantee has fewer
+/// triangles.
 class UniformGrids {
   public:
     UniformGrids(const BezierPatch& patch, double tolerance) : p_(patch), tolerance_(tolerance) {}

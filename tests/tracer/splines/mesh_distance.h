@@ -1,4 +1,4 @@
-// How far a mesh is from the patch that it stands for, measured in long double.
+// Measures the distance of a mesh from its patch, in long double.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Real distance_near(const Bicubic<Real>& p, const Vec3<Real>& q, Vec2<Real> at, R
         const Real c = dot(s.dv, s.dv);
         const Real x = dot(s.du, d);
         const Real y = dot(s.dv, d);
-        // Along a border that a step would cross.
+        // At a border that a step would cross.
         const bool u_ends = (at.x <= 0 && x < 0) || (at.x >= 1 && x > 0);
         const bool v_ends = (at.y <= 0 && y < 0) || (at.y >= 1 && y > 0);
         const Real det = a * c - b * b;

@@ -1,4 +1,4 @@
-// Patches met on their true surface.
+// Rays that meet patches on their true surface.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -97,7 +97,7 @@ TEST(TruePatch, EveryPointOfTheSurfaceIsMetByEveryRayToIt) {
                     if (off > 2 * met.error + 1e-14L) continue;
                     EXPECT_LE(length(point - target), 1e-14L + 1e3L * met.error);
                 }
-                // At grazing incidence the direction's rounding moves the meeting far.
+                // At grazing incidence, the rounding of the direction moves the hit far.
                 EXPECT_LE(nearest, 1e-9L) << seed << " " << factor << " " << i;
             }
         }
@@ -169,7 +169,7 @@ struct View3 {
     Vec3d from;
 };
 
-/// Lit pixels of a black surface that covers the picture, before a white world.
+/// Counts lit pixels of a black surface that covers the picture, in front of a white world.
 int leaks(const std::vector<Patch>& patches, const View3& view, double height, int size) {
     Scene scene;
     scene.background = {1, 1, 1};
@@ -309,7 +309,7 @@ int different(const Image& a, const Image& b, double by) {
 }
 
 TEST(TruePatch, ShadowsAreThoseOfLongDouble) {
-    // What a patch throws on itself: a ray that starts on it must not meet it there.
+    // Shadows of a patch on itself: a ray that starts on it must not meet it at its start.
     for (unsigned seed = 0; seed < 6; ++seed) {
         Scene scene = lit(random_patch(seed, 3, seed % 2 + 0.5));
         scene.lights.front().kind = PointLight{{3, 0.8, 1}, {}};

@@ -175,8 +175,8 @@ TEST(SplineSolids, AClosedBodyShowsNoLightFromBehindItsSeams) {
     }
 }
 
-/// Lit pixels of a black body before a white world, seen from outside at a place of its surface
-/// towards a place within.
+/// Counts lit pixels of a black body in front of a white world, seen from outside at a place of its
+/// surface, towards a place inside.
 int leaks(Stage& stage, const Vec3d& at, const Vec3d& within, double height) {
     Camera& camera = stage.scene.cameras.front();
     camera.position = at - 3.0 * (within - at);

@@ -12,7 +12,7 @@
 namespace lancer::splines {
 namespace {
 
-/// Edges that have one face only, as pairs of places: the mesh's rim. A crack shows as more rim.
+/// Edges with only one face, as pairs of places: the rim of the mesh. A crack makes the rim longer.
 std::size_t open_edges(const std::vector<const Mesh*>& meshes) {
     using Key = std::array<double, 6>;
     std::map<Key, int> count;
@@ -238,7 +238,8 @@ TEST(Tessellate, TooManyTrianglesAreRefusedBeforeTheyAreMade) {
 }
 
 TEST(Tessellate, AToleranceFinerThanTheRoundingsIsTheRounding) {
-    // Flat but for roundings, and far away: no triangle is nearer than the points' last digits.
+    // Flat except for rounding, and far away: no triangle can be closer than the last digits of the
+    // points.
     for (const double away : {0.0, 1e9}) {
         Patch patch;
         for (int i = 0; i < 16; ++i)

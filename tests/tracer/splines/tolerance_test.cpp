@@ -1,4 +1,4 @@
-// The promise of a tolerance, for all tolerances, the teapot and patches of any size. Slow.
+// The guarantee of a tolerance, for all tolerances, the teapot and patches of any size. Slow.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t enough = 20000;  ///< triangles to sample
 
-/// The worst sampled distance, in parts of the tolerance.
+/// The largest sampled distance as a share of the tolerance.
 double worst_share(const Patch& patch, double tolerance) {
     const auto mesh = tessellate(patch, tolerance);
     if (!mesh) return 0;
@@ -31,7 +31,7 @@ std::vector<Patch> teapot() {
     return evaluate(script, {}, {}, sources, found, disk_loader()).scene.patches;
 }
 
-/// Triangles in parts of the fewest of a uniform grid.
+/// The number of triangles as a multiple of that of the smallest uniform grid.
 double share_of_fewest(const Patch& patch, double tolerance) {
     const auto mesh = tessellate(patch, tolerance);
     if (!mesh) return 0;
@@ -52,14 +52,15 @@ TEST_P(Tolerance, RandomPatchesAreWithinItAtAnyScale) {
             worst = std::max(worst, share);
         }
     }
-    EXPECT_GT(worst, 0.3);  // else it would be measured wrongly, or far too fine
+    EXPECT_GT(worst, 0.3);  // otherwise the measurement is wrong, or the mesh far too fine
 }
 
 TEST_P(Tolerance, TheTeapotIsWithinIt) {
     const std::vector<Patch> patches = teapot();
     ASSERT_EQ(patches.size(), 32u);
     for (std::size_t i = 0; i < patches.size(); ++i) {
-        // The finest take long: a quarter of the patches then, of each part of it one.
+        // The finest tolerances take long, so only every fourth patch is tested: one of each part
+        // of the teapot.
         if (GetParam() < 1e-3 && i % 4 != 0) continue;
         EXPECT_LE(worst_share(patches[i], GetParam()), 1) << i;
     }
@@ -81,7 +82,7 @@ TEST_P(Tolerance, TakesAtMostTwiceTheTrianglesOfTheCoarsestUniformGrid) {
                  "random " + std::to_string(seed));
         }
     }
-    EXPECT_GT(worst, 0.8);  // else the grids would be judged too severely
+    EXPECT_GT(worst, 0.8);  // otherwise the grids are judged too severely
     std::printf("at most %.2f times the fewest\n", worst);
 }
 
