@@ -1,5 +1,6 @@
-# Run at each build: writes OUTPUT, a source that holds a digest of all sources below ROOT and of HOW they are
-# compiled. OUTPUT changes only when the digest does, so that a build of nothing new compiles nothing.
+# Runs at each build: writes OUTPUT, a source with a digest of all sources below ROOT and of HOW
+# they are compiled. OUTPUT changes only when the digest does, so that a build without changes
+# compiles nothing.
 set(all "${HOW}\n")
 foreach(folder base model parser tracer accuracy reference judge cli)
     file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/CMakeLists.txt)

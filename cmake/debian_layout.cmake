@@ -1,9 +1,10 @@
-# Run by cpack between installing and packing: what Debian wants otherwise than others do. Below
-# CPACK_TEMPORARY_DIRECTORY there is a folder for each component. Times are SOURCE_DATE_EPOCH's where it is set.
+# cpack runs this between installing and packing, to meet Debian's special requirements.
+# CPACK_TEMPORARY_DIRECTORY has a folder for each component. Times are those of SOURCE_DATE_EPOCH,
+# if it is set.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(version ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 
-# compressed(FILE...): FILE.gz in its place, without a name and a time in it.
+# compressed(FILE...): replaces each file by FILE.gz, which contains no name and no time.
 function(compressed)
     execute_process(COMMAND gzip -9nf ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -36,7 +37,7 @@ file(RENAME ${share}/zsh/site-functions ${share}/zsh/vendor-completions)
 file(GLOB manuals ${share}/man/man1/*.1)
 compressed(${share}/doc/lancer/changelog ${manuals})
 
-# What the packages depend on. cpack's own way asks about each file, which takes ten seconds.
+# The dependencies of the packages. cpack's own method examines each file, which takes ten seconds.
 # depends(VARIABLE FILE): the packages whose libraries the FILE needs.
 function(depends variable file)
     set(scratch ${CPACK_TEMPORARY_DIRECTORY}/shlibdeps)

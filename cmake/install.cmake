@@ -1,9 +1,11 @@
-# What `cmake --install` puts where. Everything is found from the program's own place, so that the whole can be
-# moved. Two components: `lancer`, and `pictures` with what needs OpenImageIO.
+# The files that `cmake --install` installs. Everything is found relative to the program, so that
+# the whole can be moved. Two components: `lancer`, and `pictures` with everything that needs
+# OpenImageIO.
 include(GNUInstallDirs)
 set(LANCER_MODULE_DIR ${CMAKE_INSTALL_LIBDIR}/lancer)
 
-# From the program to the folder of its picture module. Libraries that an archive brings lie there, too (./release).
+# The path from the program to the folder of its picture module. Libraries within an archive are
+# there, too (./release).
 file(RELATIVE_PATH module_folder /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${LANCER_MODULE_DIR})
 set_source_files_properties(${PROJECT_SOURCE_DIR}/model/io/image_module_loader.cpp TARGET_DIRECTORY lancer_io
     PROPERTIES COMPILE_DEFINITIONS LANCER_MODULE_FOLDER="${module_folder}")

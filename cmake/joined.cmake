@@ -1,11 +1,12 @@
-# Several sources compiled as one: headers are read once, and the templates that they use alike are made and optimised
-# once. Libraries are joined in the presets that build for something else than changing the sources (LANCER_JOIN):
-# `release`, `clang`, `asan`, `coverage`. Gcc's build for developers compiles each of them by itself, and so finds the one
-# that forgets to include what it uses or that hides a name; and after a change it compiles little. Tests are always joined.
+# Compiles several sources as one, so that headers are read once and common templates are compiled
+# once. Libraries are joined in the presets `release`, `clang`, `asan` and `coverage` (LANCER_JOIN),
+# which are not meant for changing the sources. Gcc's build for developers compiles each source
+# separately: it finds sources that forget an include or hide a name, and compiles little after a
+# change. Tests are always joined.
 option(LANCER_JOIN "Compile several sources of a library as one" OFF)
 
-# lancer_join(TARGET [ALWAYS] [APART WORDS...]): in batches, but for the sources with one of these words in their path, which
-# have private names that others have, too.
+# lancer_join(TARGET [ALWAYS] [APART WORDS...]): joins in batches, except for sources whose path
+# contains one of these words. Their private names occur in other sources, too.
 function(lancer_join target)
     cmake_parse_arguments(PARSE_ARGV 1 join "ALWAYS" "" "APART")
     if(NOT LANCER_JOIN AND NOT join_ALWAYS)

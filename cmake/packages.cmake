@@ -6,7 +6,7 @@ set(CPACK_PACKAGE_CONTACT "The Lancer authors <maintainers@users.noreply.h-seed-
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-# Whatever umask the packager has.
+# Independent of the umask of the user who packs.
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
@@ -40,6 +40,6 @@ Lancer renders scenes that are written as text to pictures. This package
 has it read and write pictures other than PNG and PPM, by OpenImageIO,
 libtiff and libjpeg, which run in a process of their own.")
 
-# Which also finds out what the packages depend on.
+# This script also determines the dependencies of the packages.
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_layout.cmake)
 include(CPack)

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034
 # Debian packages that ./run and ./test need, and the function that installs the missing ones.
-# Sourced, not run. docs/building.md says what each is for.
+# To be sourced. docs/building.md says what each package is for.
 
 packages_to_build=(
     cmake ninja-build g++
@@ -21,8 +21,8 @@ packages_to_test_all=(
     clang-14 clang-tidy-14 libclang-rt-14-dev llvm-14
 )
 
-# install_missing PACKAGE...: asks apt-get for those that are not installed; without any, does nothing
-# and needs neither root nor a network.
+# install_missing PACKAGE...: installs those that are missing by apt-get. If none is missing, it
+# needs neither root nor a network.
 install_missing() {
     if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
         echo "This is no Debian system: packages are not installed for you (docs/building.md lists them)." >&2
@@ -50,8 +50,8 @@ install_missing() {
         apt-get install -q -y --no-install-recommends "${missing[@]}" >&2
 }
 
-# configure_and_build PRESET [TARGET...]: configures once, with what stands in the array configure_options, too; then lets the
-# build tool find what changed.
+# configure_and_build PRESET [TARGET...]: configures once, with the options in the array
+# configure_options; then the build tool finds what has changed.
 configure_options=()
 configure_and_build() {
     local preset=$1

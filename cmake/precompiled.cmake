@@ -1,7 +1,8 @@
-# Headers that most sources read, read once: half of a build's time is reading them. Only the presets
-# `clang` and `asan` ask for it (LANCER_PRECOMPILE); gcc's build reads every source as it is written, and
-# so finds the one that forgets to include what it uses. Gcc would gain little: 0.5 s a source with fmt's headers, and it
-# loses 7 s with those of the command line's library, whose functions it then looks at in every source.
+# Reads common headers once: half of a build's time is spent on reading them. Only the presets
+# `clang` and `asan` use this (LANCER_PRECOMPILE). Gcc's build reads every source as it is, and so
+# finds sources that forget an include. Gcc would gain little: 0.5 s per source with fmt's headers;
+# with those of the command line's library, it loses 7 s, because it then examines their functions
+# in every source.
 option(LANCER_PRECOMPILE "Read common headers once" OFF)
 
 set(lancer_common_headers
@@ -9,8 +10,9 @@ set(lancer_common_headers
     <optional> <random> <set> <string> <string_view> <utility> <variant> <vector>
     <fmt/format.h> ${PROJECT_SOURCE_DIR}/model/scene.h ${PROJECT_SOURCE_DIR}/model/diagnostic.h)
 
-# lancer_share_headers(HOST HEADERS...): makes ready what lancer_precompile(TARGET HOST) uses. The compiler wants
-# the same options at both places, so a host serves the targets of its kind and folder.
+# lancer_share_headers(HOST HEADERS...): prepares what lancer_precompile(TARGET HOST) uses. The
+# compiler requires the same options in both places, so a host serves the targets of its kind and
+# folder.
 function(lancer_share_headers host)
     if(LANCER_PRECOMPILE)
         target_link_libraries(${host} PRIVATE lancer_options)

@@ -1,11 +1,11 @@
 #!/bin/bash
-# Many scenes: each task of the array takes every N-th one (of stability, every N-th change). What POV-Ray draws, truths and
-# pictures are kept in LANCER_CACHE, which all machines must see; a last run without --part takes them from there and
-# writes the report of them all.
+# Many scenes: each task of the array takes every N-th one (for stability, every N-th change).
+# POV-Ray's pictures, truths and samples are stored in LANCER_CACHE, which all machines must see. A
+# last run without --part takes them from there and writes the report of all scenes.
 #
 #   LANCER_CACHE=/shared/cache sbatch [--array=1-32] sweep.sh REPORT-FOLDER SCENE...
 #
-# LANCER_SWEEP names what is done with each scene: validate (the default), tradeoff or stability.
+# LANCER_SWEEP is the command for each scene: validate (the default), tradeoff or stability.
 #SBATCH --job-name=lancer
 #SBATCH --array=1-8
 #SBATCH --requeue
@@ -39,7 +39,7 @@ fi
 
 "$lancer" "$sweep" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" "${share[@]}" "$@"
 code=$?
-# 1: a scene differs, which the report says. 75: a passing trouble of this machine.
+# 1: a scene differs, as the report says. 75: a temporary failure of this machine.
 [ $code = 75 ] && [ "${SLURM_RESTART_COUNT-0}" -lt 5 ] &&
     scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID" && sleep 60
 exit $code

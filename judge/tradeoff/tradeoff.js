@@ -6,7 +6,7 @@
   for (const article of document.querySelectorAll("article")) {
     const one = (selector) => article.querySelector(selector);
     const points = [...article.querySelectorAll(".point")];
-    // By time, as they lie from left to right.
+    // Ordered by time, from left to right.
     const order = [...article.querySelectorAll(".settings tbody tr")].map((row) => row.dataset.setting);
     points.sort((a, b) => order.indexOf(a.dataset.setting) - order.indexOf(b.dataset.setting));
     const details = new Map([...article.querySelectorAll(".detail")].map((d) => [d.id.split("-")[1], d]));
@@ -25,7 +25,7 @@
       e.addEventListener("focusin", () => show(e.dataset.setting));
       e.addEventListener("click", (event) => {
         show(e.dataset.setting);
-        // An address to pass on, without a jump.
+        // Makes an address for sharing, without a jump.
         history.replaceState(null, "", `#${details.get(e.dataset.setting).id}`);
         event.preventDefault();
       });

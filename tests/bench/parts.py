@@ -204,7 +204,7 @@ def poster(side=32768, *endings):
         folder = Path(folder)
         names = [folder / f"{k}.exr" for k in range(1, count + 1)]
         (folder / "black.lancer").write_text("camera { position [0, 0, 5] look_at [0, 0, 0] }\n")
-        # That these parts are what a run would draw.
+        # Checks that these parts are what a run would draw.
         for n, this_side in ((count, 256), (count, side)):
             for k, name in enumerate(names, 1):
                 black_part(name, k, n, this_side)
@@ -262,7 +262,7 @@ def kills(count=100):
                                  "-o", work / "f-%d.png") for k in (1, 2)}
         jobs |= {f"sweep {k}": ("stability", folder / "a.lancer", "--no-povray", "--size", "120x90", "--part", f"{k}/2")
                  for k in (1, 2)}
-        # What each makes, and how long it takes, without a kill.
+        # The result and the duration of each job when nothing is killed.
         lengths = {}
         for name, job in jobs.items():
             begun = time.monotonic()
@@ -275,7 +275,8 @@ def kills(count=100):
         names = list(jobs)
         for i in range(count):
             name = names[i % len(names)]
-            # All that was written before must be there still; now and then some is lost, to be made again.
+            # Everything written before must still exist; sometimes a file is deleted, to be made
+            # again.
             for path in list(there):
                 if chance.random() < 0.3:
                     path.unlink()

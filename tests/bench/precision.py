@@ -79,7 +79,7 @@ def row(lancer, name, scene, folder):
         single, memory["single"] = traced(lancer, scene, "single", folder)
         ratios.append(double / single)
         seconds.append(double)
-    # A small scene's peak is that of the process that started it.
+    # For a small scene, the peak is that of the process that started the run.
     peaks = [f"{memory[p]:.0f} MB" if memory[p] > 100 else "" for p in ("double", "single")]
     return (f"| {name} | {statistics.median(seconds):.2f} s | {statistics.median(ratios):.2f} "
             f"| {peaks[0]} | {peaks[1]} |\n")

@@ -24,11 +24,12 @@ PAGE = os.path.join(ROOT, "docs", "cost-of-accuracy.md")
 SCENES = ["mirror_hall", "knot", "teapot", "harbour", "globe", "gears", "chess", "orrery"]
 SIZE = "96x72"
 EXACT = ("--quality", "exact")
-# What each preset is for, as an RMSE.
+# The purpose of each preset, as an RMSE.
 AIMS = {"draft": (10 / 255, "10 steps of 8 bits"), "normal": (2.5 / 255, "2.5 steps"), "fine": (1 / 255, "1 step")}
-# By powers of two, of those that bench_settings tries. What is cut is told beside the finest that it tries.
+# Depths are powers of two, among those that bench_settings tries. The cut is relative to the finest
+# of them.
 DEPTHS = [4, 8, 16, 32, 64]
-# Of the squared error, in every scene: as --max-error lets its limits.
+# As a share of the squared error, in every scene: the same as for the limits of --max-error.
 CUT_SHARE = 0.1
 
 

@@ -76,7 +76,8 @@ def copy_files(root, packages):
     spared = tuple(f"/usr/share/{folder}/" for folder in ("doc", "info", "locale", "man"))
     names = sorted({name for name in names
                     if os.path.lexists(name) and name != "/." and not name.startswith(spared)})
-    # Large files are libraries, which nobody writes into: a second name for each will do, where the folder allows it.
+    # Large files are libraries, which are never changed: a hard link is enough where the folder
+    # allows it.
     copied = [name for name in names if not link_large(name, root + name)]
     pack = subprocess.Popen(["tar", "-C", "/", "--no-recursion", "-cf", "-", "-T", "-"], stdin=subprocess.PIPE,
                             stdout=subprocess.PIPE)

@@ -11,11 +11,11 @@ ok() {
     shift
     "$@" > /tmp/log 2>&1 || fail "$words"
 }
-# What belongs to packages, or could be left by them; dpkg's own books change.
+# Everything that belongs to packages or that they could leave behind; dpkg's own records change.
 everything() {
     find / -xdev \( -path /proc -o -path /tmp -o -path /var/lib/dpkg -o -path /var/log/dpkg.log \) -prune -o -print | sort
 }
-# As somebody without rights, in a folder of their own.
+# Runs a command as an unprivileged user in a folder of its own.
 user() { chroot --userspec=12345:12345 / env HOME=/tmp/home bash -c 'cd /tmp/home && "$@"' x "$@"; }
 
 ldconfig
@@ -41,13 +41,13 @@ for file in man/man1/lancer.1.gz man/man1/lancer-render.1.gz bash-completion/com
     [ -s "/usr/share/$file" ] || fail "/usr/share/$file is not there"
 done
 
-# A package that another one needs stays.
+# A package that another one needs must stay.
 dpkg -P lancer > /tmp/log 2>&1 && fail "lancer was purged under lancer-pictures"
 ok "purging" dpkg -P lancer-pictures lancer
 everything > /tmp/after
 diff /tmp/before /tmp/after || fail "purging left something, or took too much"
 
-# The archive, in a folder of somebody without rights, with the libraries that it brings.
+# The archive, in the folder of an unprivileged user, with the libraries that it contains.
 ok "unpacking the archive" user tar -xf /tmp/lancer-*-linux-*.tar.gz
 mv /tmp/home/lancer-*-linux-* "/tmp/home/any where"
 program="/tmp/home/any where/bin/lancer"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# packages_test.sh BUILD: the Debian packages of a build: the same bytes twice, clean for lintian, and in a Debian of
-# its own installed, used and purged, with nothing left.
-# Exit code 77, skipped, without lintian or the right to make a root, which CI has.
+# packages_test.sh BUILD: tests the Debian packages of a build. They have the same bytes twice, pass
+# lintian, and can be installed, used and purged in a clean Debian, leaving nothing behind. Exit
+# code 77 (skipped) without lintian or the right to make a root, which CI has.
 set -u
 build=$1
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -21,7 +21,7 @@ fail() {
     echo "FAILED: $*"
     exit 1
 }
-# ok WORDS COMMAND...: the command succeeds; else its output is shown.
+# ok WORDS COMMAND...: expects the command to succeed; otherwise shows its output.
 ok() {
     local words=$1
     shift
@@ -32,7 +32,7 @@ ok() {
 }
 export SOURCE_DATE_EPOCH=1700000000
 
-# Twice, with whatever may differ between two people.
+# Two runs with whatever may differ between two people.
 release() { "$root/release" --build "$build" --pack-size 32x24 -o "$place/$1"; }
 ok "a release" release first
 (umask 077; TZ=Asia/Tokyo LC_ALL=C.UTF-8 HOME=/nowhere ok "a second release" release second) || exit 1
@@ -41,7 +41,7 @@ cd "$place/first" || exit 1
 ls -l
 sha256sum --quiet -c SHA256SUMS || fail "SHA256SUMS is wrong"
 [ "$(sha256sum --quiet -c --strict SHA256SUMS 2>&1; wc -l < SHA256SUMS)" = 6 ] || fail "SHA256SUMS has not six files"
-# The two were packed from one build, so what a file says of its time and owner must not come from there.
+# Both were packed from one build, so a file's time and owner must not come from there.
 for file in *.tar.gz; do tar --full-time --utc -tvf "$file"; done > "$place/list"
 for file in *.deb; do dpkg-deb --fsys-tarfile "$file" | tar --full-time --utc -tv; done >> "$place/list"
 grep -v 'root/root .* 2023-11-14 22:13:20 ' "$place/list" && fail "another time or owner"
@@ -63,7 +63,7 @@ mkdir "$clean"
 ok "a clean root" python3 "$root/tests/install/clean_root.py" "$clean" --with povray "${debs[@]}"
 cp "${debs[@]}" lancer-*-linux-*.tar.gz "$clean/tmp"
 cp "$root/tests/install/in_clean_root.sh" "$clean/tmp"
-# Its mounts end with the shell that made them.
+# The mounts disappear with the shell that made them.
 # shellcheck disable=SC2016  # $1 is the inner shell's
 unshare --mount bash -c '
     mount -t proc proc "$1/proc" && touch "$1/dev/null" && mount --bind /dev/null "$1/dev/null" &&

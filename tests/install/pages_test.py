@@ -32,7 +32,7 @@ class Shell:
             os.environ.update(TERM="dumb", HOME=folder, HISTFILE="/dev/null", LANG="C.UTF-8")
             os.execvp(argv[0], argv)
         setup += "; lancer() { printf '<%s>' \"$@\"; printf '<<'; }"
-        # What is typed is echoed; it does not hold the word itself.
+        # The terminal echoes what is typed; the typed text does not contain the word itself.
         self.type(f"{setup}; echo set''up\n", "setup\r")
 
     def type(self, text, mark="<<"):
@@ -78,7 +78,7 @@ class Pages(unittest.TestCase):
             for title in ("NAME", "SYNOPSIS", "OPTIONS", "EXIT STATUS", "EXAMPLES", "SEE ALSO"):
                 self.assertIn(title, lines, manual)
 
-    # Each case: what is typed, and the words of the command that it becomes.
+    # Each case: the typed text, and the resulting words of the command.
     completed = [
         ("lancer ren\t", ["render"]),
         ("lancer render --qual\t", ["render", "--quality"]),
@@ -93,7 +93,7 @@ class Pages(unittest.TestCase):
         self.addCleanup(shell.close)
         for text, words in [*self.completed, *also]:
             with self.subTest(shell=argv[0], typed=text):
-                # zsh takes the slash of a folder away again at the line's end.
+                # At the end of the line, zsh removes the slash of a folder again.
                 expected = "".join(f"<{word.rstrip('/')}>" for word in words) + "<<"
                 self.assertIn(expected, shell.type(text + "\n").replace("/>", ">"))
 

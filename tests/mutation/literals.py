@@ -98,9 +98,9 @@ class Place:
         self.source = source
         self.tokens = [t for t in TOKEN.finditer(source) if not t["skip"]]
         self.ends = [t.start() for t in self.tokens if t["mark"] and t["mark"] in ";{}"] + [len(source)]
-        self.calls = []  # what stands before each parenthesis that is open
-        self.bodies = []  # and before each brace
-        self.head = ""  # before the last parenthesis that was closed
+        self.calls = []  # the text before each open parenthesis
+        self.bodies = []  # the text before each open brace
+        self.head = ""  # the text before the last closed parenthesis
         self.begin = 0  # of the statement
         self.texts = ""  # of the statement, so far
 

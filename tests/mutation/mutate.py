@@ -63,13 +63,14 @@ inline bool is(int id) {
 }
 }  // namespace mutant
 """
-# The copy's judge looks at no more pixels once too many are unexplained for the picture to pass: the same verdict, sooner.
+# The copied judge stops once too many pixels are unexplained for the picture to pass: the verdict
+# is the same.
 JUDGE = "judge/explain/explain.cpp"
 HURRY = [("    std::vector<Offset> offsets;\n    for (", "    std::vector<Offset> offsets;\n    std::size_t lost = 0;\n    for ("),
          ("if (result.rays >= most_rays) {", "if (result.rays >= most_rays || lost > limits.unexplained) {"),
          ("        result.classes[i] = pixel.pixel_class;\n",
           "        result.classes[i] = pixel.pixel_class;\n        lost += pixel.pixel_class == PixelClass::unexplained;\n")]
-# `validate` renders in double: the other two need not be built.
+# `validate` renders in double, so the other two types need not be built.
 IN_DOUBLE = """#include "tracer/render_types.h"
 
 namespace lancer {
@@ -204,7 +205,7 @@ def switched(source, numbered):
     for begin in sorted(changes, reverse=True):
         old, choices = changes[begin]
         source = f"{source[:begin]}({''.join(choices)}{old}){source[begin + len(old):]}"
-    # A constant is now none, but is the same number wherever it is used.
+    # A constant becomes a variable, but keeps its value everywhere.
     source = re.sub(r"\bconstexpr (Real|int|double|std::size_t)\b", r"const \1", source)
     return '#include "model/mutant.h"\n' + source
 

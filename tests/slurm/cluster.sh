@@ -21,7 +21,8 @@ start_cluster() {
     chmod 600 "$cluster/key"
     munged --force --key-file="$cluster/key" --socket="$cluster/munge" --pid-file="$cluster/munged.pid" \
         --log-file="$cluster/munged.log" --seed-file="$cluster/seed" || return
-    # A lost node is noticed after 3 s; without cred_expire a task that is queued anew would wait two minutes.
+    # A lost node is noticed after 3 s. Without cred_expire, a task that is queued again would wait
+    # two minutes.
     cat > "$SLURM_CONF" << END
 ClusterName=lancer
 SlurmctldHost=$host(127.0.0.1)
@@ -56,7 +57,7 @@ END
 
 start_node() { slurmd -N "$1"; }
 
-# processes_of NAME: what runs on that node, with the step that started it.
+# processes_of NAME: the processes on that node, and the steps that started them.
 processes_of() {
     local file process parent
     # shellcheck disable=SC2013
@@ -69,7 +70,7 @@ processes_of() {
     done
 }
 
-# kill_node NAME: its daemon, and all that runs on it, at once, as a power cut would.
+# kill_node NAME: kills its daemon and everything that runs on it at once, like a power failure.
 kill_node() {
     local all
     read -ra all -d '' < <(cat "$cluster/slurmd-$1.pid"; processes_of "$1")
@@ -84,7 +85,7 @@ stop_cluster() {
     rm -rf "$cluster"
 }
 
-# wait_for SECONDS COMMAND...: until it succeeds.
+# wait_for SECONDS COMMAND...: repeats the command until it succeeds.
 wait_for() {
     local end=$((SECONDS + $1))
     shift

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# slurm_test.sh LANCER: the recipes of docs/many-machines.md. The scripts of examples/slurm/ run on a cluster of two nodes,
-# one of which is lost in the middle.
-# Exit code 77, skipped, where there is no Slurm or no right to run it, which CI has.
+# slurm_test.sh LANCER: tests the recipes of docs/many-machines.md. The scripts of examples/slurm/
+# run on a cluster of two nodes, one of which is lost during the run. Exit code 77 (skipped) without
+# Slurm or the right to run it, which CI has.
 set -u
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 export LANCER=$1
@@ -60,7 +60,8 @@ for number in 1 2 3 4 5 6 7 8; do
 done
 [ "$before" = "$(stat -c '%n %Y %i' big.png.parts/*)" ] || fail "a part was written again"
 
-# The first run of each task fails with the code of a passing trouble: the scripts queue it anew.
+# The first run of each task fails with the code of a temporary failure, and the scripts queue it
+# again.
 printf '#!/bin/bash\nmark=%q/tired-$SLURM_JOB_ID\n%s\nexec %q "$@"\n' "$place" \
     '[ "$SLURM_JOB_NAME" != lancer ] || [ -e "$mark" ] || { touch "$mark"; exit 75; }' "$LANCER" > tired
 chmod +x tired

@@ -20,7 +20,7 @@ import page_part  # noqa: E402
 
 PAGE = os.path.join(ROOT, "docs", "performance.md")
 
-# What is replaced, the set of kernels that does so, and the scene that shows it.
+# The replaced methods, the set of kernels that replaces them, and a scene that shows the effect.
 METHODS = [
     ("sphere", "shapes", "spheres"),
     ("box", "shapes", "boxes"),

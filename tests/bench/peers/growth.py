@@ -54,7 +54,7 @@ def between_mirrors(depth):
     return stage
 
 
-# what grows, its values, the scene for one of them, the picture's side, threads
+# The quantity that grows, its values, the scene for a value, the picture's side, threads.
 AXES = [
     ("balls", [100, 1_000, 10_000, 100_000, 1_000_000, 3_162_278], lambda n: cloud(balls=n), None, None),
     ("lights", [1, 2, 4, 8, 16, 32, 64], lambda n: cloud(lights=n), None, None),

@@ -13,7 +13,7 @@ Run = namedtuple("Run", "trace whole memory picture")
 def timed(command, folder):
     """Seconds from start to end, the peak of memory in bytes, and what the command printed."""
     kilobytes = folder / "memory"
-    # A child of this process would be charged with the memory of this one.
+    # GNU time measures the memory: a child of this process would be charged with this one's.
     command = ["/usr/bin/time", "-f", "%M", "-o", kilobytes, *command]
     begin = time.monotonic()
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,

@@ -161,7 +161,8 @@ def instances(folder, count=100_000):
     return stage
 
 
-# name in the table, what builds it (or a scene of the gallery), side of the picture, samples of a side
+# The name in the table, the function that builds it (or a scene of the gallery), the picture's
+# side, samples per axis.
 ALL = [
     ("sphereflake, 91 balls", balls(2), 2048, 1),
     ("sphereflake, 820 balls", balls(3), 2048, 1),

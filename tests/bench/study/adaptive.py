@@ -6,7 +6,7 @@ import measured
 import plots
 
 THIN = ["wires", "horizon", "highlights"]  # beside this file
-# Glass in which rays go deep takes minutes at the larger size.
+# Glass with deep rays takes minutes at the larger size.
 SLOW = ["globe", "chess"]
 SIZES = {(128, 96): [*THIN, *measured.GALLERY], (640, 480): [*THIN, *(s for s in measured.GALLERY if s not in SLOW)]}
 FULL = 16  # rays a pixel of the grid

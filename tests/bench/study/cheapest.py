@@ -6,7 +6,7 @@ import measured
 
 SIZE = "640x480"
 ERRORS = ["0.01", "0.005"]
-# Their rays go deep in glass: a sweep over settings at this size takes an hour.
+# Rays go deep in their glass: a sweep over settings at this size takes an hour.
 SLOW = ["globe", "chess"]
 SCENES = [s for s in measured.GALLERY if s not in SLOW]
 

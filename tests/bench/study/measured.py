@@ -7,7 +7,7 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 GALLERY = ["mirror_hall", "knot", "teapot", "harbour", "globe", "gears", "chess", "orrery"]
-# Followed until nothing is left: what a limit cuts is seen beside this.
+# Rays are followed until nothing is left, to show what a limit cuts.
 UNCUT = ("--max-depth", "1000", "--min-contribution", "1e-12")
 
 

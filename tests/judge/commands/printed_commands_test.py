@@ -15,7 +15,8 @@ import sys
 import tempfile
 
 SCENES = {
-    # Brighter than 1, so that an exposure is needed; names that a shell takes apart; a param and a camera.
+    # Brighter than 1, so that an exposure is needed; names that a shell would split; a param and a
+    # camera.
     "a bright 'ball'.lancer": ("""
 param n = 3
 render { samples 3 min_contribution 0.05 }
@@ -60,7 +61,7 @@ def main(lancer):
             found = numbers(run.stdout)
             assert set(found) == {"mean", "rmse", "max"}, f"{commands}\n{run.stdout}\n{run.stderr}"
             for key, value in found.items():
-                # As many digits as are printed, and what the 32 bits of an EXR file leave.
+                # The accuracy of the printed digits, and of the 32 bits of an EXR file.
                 assert abs(value - result[key]) <= 1e-3 * result[key] + 1e-7, (key, value, result[key], commands)
             assert result["exposure"] < 1, "the scene is meant to need an exposure"
             for beside in ("ours.png", "theirs.png", "difference.png"):

@@ -1,4 +1,5 @@
-# validate_scene.sh LANCER SCENE: does POV-Ray agree? Skipped (77), and says so, where there is none.
+# validate_scene.sh LANCER SCENE: checks that POV-Ray agrees. Skipped (77) with a message when there
+# is no POV-Ray.
 if ! command -v "${LANCER_POVRAY:-povray}" >/dev/null; then
     echo "NOT TESTED: $2 needs POV-Ray"
     exit 77

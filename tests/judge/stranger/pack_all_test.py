@@ -81,7 +81,7 @@ def main(lancer):
         probes = sum(check(folder / "pack" / scene, readme) for scene in packed)
         assert probes > 20 * len(packed), probes
 
-        # Scenes that are wrong, missing, or without a camera, between two that are right.
+        # Invalid and missing scenes, and one without a camera, between two valid ones.
         (folder / "wrong.lancer").write_text("sphere { radius }")
         (folder / "blind.lancer").write_text("sphere { radius 1 }")
         right = scenes()[0], scenes()[-1]

@@ -66,7 +66,7 @@ def main(lancer):
         assert "probes agree" in said and int(said.split()[0]) >= 20, said
         assert "agrees" in run(lancer, "validate", SCENE, "--against", "still.png")
 
-        # Mistakes that strangers make, and what they are told.
+        # Typical mistakes in other renderers, and the expected messages.
         source = (HERE / "stranger.py").read_text()
         for right, wrong, cause in [("(j + 0.5)", "(j + 0.0)", "--pixel-center 0.5,0"),
                                     ('dot(n, to) > 0 and', 'dot(n, to) > 0 or', None),
@@ -81,7 +81,7 @@ def main(lancer):
 
         check_page(folder, lancer)
 
-        # A pack is written over a pack, and over nothing else.
+        # A pack may replace a pack, and nothing else.
         run(lancer, "pack", SCENE, *SIZE, "-o", "pack", "-q")
         (folder / "mine").mkdir()
         (folder / "mine/diary.txt").write_text("dear diary")
