@@ -13,7 +13,7 @@ class App;
 namespace lancer::cli {
 
 struct AgainstOptions {
-    std::string pictures;  ///< a file, or a folder of files called like the scenes; empty: POV-Ray
+    std::string pictures;  ///< a file, or a folder with a file for each scene; empty: POV-Ray
     judge::Reading reading;
     bool reading_is_given = false;
 

@@ -18,9 +18,9 @@ enum class ValueKind : std::uint8_t {
 
 struct OptionRow {
     std::vector<std::string> names;  ///< `-o`, `--output`
-    std::string value;               ///< as help calls it, `OUT`; empty: the option takes none
+    std::string value;  ///< its name in the help, `OUT`; empty: the option takes no value
     ValueKind kind = ValueKind::free;
-    std::vector<std::string> words;  ///< that the value may be
+    std::vector<std::string> words;  ///< the possible values
     std::string meaning;
     std::string group;
     bool is_required = false;
@@ -45,7 +45,7 @@ struct CommandRow {
 struct CommandTable {
     std::string version;
     std::string meaning;
-    std::vector<OptionRow> options;  ///< without a command
+    std::vector<OptionRow> options;  ///< options that need no command
     std::vector<CommandRow> commands;
 };
 

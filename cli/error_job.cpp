@@ -112,7 +112,7 @@ struct Setting {
     }
 
     std::unique_ptr<Renderer> judge;
-    std::unique_ptr<Renderer> other;  ///< the picture's own, when it leaves out more than limits do
+    std::unique_ptr<Renderer> other;  ///< the picture's own, if it leaves out more than limits do
     accuracy::FixedLimits fixed;
     std::uint64_t seed = 0;
     double build_seconds = 0;

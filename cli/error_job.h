@@ -29,7 +29,7 @@ struct ErrorOptions {
 struct ErrorRun {
     Image image;  ///< with `view.aov` also error.Y and samples.Z
     accuracy::ErrorReport report;
-    accuracy::ErrorSums sums;  ///< what the report rests on
+    accuracy::ErrorSums sums;  ///< the sums from which the report is computed
     WorldCounts world;
     Level level = Level::scalar;  ///< of rays side by side
     double build_seconds = 0;

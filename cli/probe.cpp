@@ -63,10 +63,10 @@ struct ProbeJob {
 struct Found {
     View view;
     std::string camera;
-    Color pixel;          ///< as in the picture: the mean over its rays
+    Color pixel;          ///< the picture's value: the mean over the pixel's rays
     std::size_t samples;  ///< rays of the pixel
-    std::size_t sample;   ///< which of them was traced
-    PicturePoint at;      ///< where it goes through
+    std::size_t sample;   ///< the index of the traced ray
+    PicturePoint at;      ///< the point of the picture that it passes
     RayTree tree;
 };
 

@@ -21,15 +21,15 @@ struct RenderJob {
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
-    std::optional<PartOf> part;  ///< of the picture, or of the frames where there are any
-    bool resume = false;         ///< takes what is there, when it is whole and what would be drawn
-    bool loop = false;           ///< the last frame comes before the first again
-    bool preview = false;        ///< one ray per pixel, a quarter of the width and of the height
+    std::optional<PartOf> part;  ///< of the picture, or of the frames in an animation
+    bool resume = false;   ///< keep existing files that are complete and are what would be drawn
+    bool loop = false;     ///< the first frame follows the last one
+    bool preview = false;  ///< one ray per pixel, a quarter of the width and of the height
     bool aov = false;
     bool alpha = false;
-    bool bound_cut = false;  ///< tells how much the limits can have left out
+    bool bound_cut = false;  ///< report a bound on the light that the limits leave out
     bool quiet = false;
-    Level level = best_level();  ///< the fastest that may be used
+    Level level = best_level();  ///< the fastest allowed level
     std::string
         statistics;  ///< path of the JSON file; `-`: for people, to standard output; may be empty
     io::ImageWriteOptions image;

@@ -57,8 +57,10 @@ class SceneLoader {
     Session& session_;
     Script script_;
     std::vector<Diagnostic> syntax_errors_;
-    std::map<std::string, std::string> read_;  ///< files beside the script's own, their digests
-    std::set<std::string> shown_;  ///< warnings, so that ten frames do not warn ten times
+    /// digests of the other files that were read, by path
+    std::map<std::string, std::string> read_;
+    /// shown warnings, so that ten frames do not repeat them ten times
+    std::set<std::string> shown_;
     double parse_seconds_ = 0;
     double evaluate_seconds_ = 0;
 };

@@ -29,8 +29,8 @@ struct SceneSummary {
     std::vector<Count>
         shapes;  ///< in the order of the language; kinds that do not occur are left out
     std::vector<Count> lights;
-    std::uint64_t triangles = 0;  ///< of all meshes as often as they are shown, and single ones
-    std::uint64_t meshes = 0;     ///< stored once, however often they are shown
+    std::uint64_t triangles = 0;  ///< of single triangles, and of meshes for each of their uses
+    std::uint64_t meshes = 0;     ///< stored meshes, whatever the number of their uses
     std::uint64_t materials = 0;  ///< in use
     std::uint64_t textures = 0;
     std::uint64_t images = 0;

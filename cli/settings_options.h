@@ -15,7 +15,7 @@ namespace lancer::cli {
 
 struct SettingsOptions {
     std::optional<std::int64_t> threads;
-    std::optional<Quality> quality;  ///< the members below win over what it says
+    std::optional<Quality> quality;  ///< the members below override its values
     std::optional<std::int64_t> max_depth;
     std::optional<double> min_contribution;
     std::optional<std::int64_t> samples;

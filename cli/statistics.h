@@ -29,7 +29,7 @@ struct Statistics {
     std::uint64_t cameras = 0;
     std::uint64_t materials = 0;
     std::uint64_t textures = 0;
-    std::optional<accuracy::ErrorReport> error;  ///< of the frame that fared worst
+    std::optional<accuracy::ErrorReport> error;  ///< of the frame with the largest error
 
     std::optional<accuracy::CutBound> cut;  ///< the largest of any frame
 

@@ -41,7 +41,7 @@ struct TradeOffJob {
     std::optional<double> budget;
     bool no_cache = false;
     bool quiet = false;
-    SettingsOptions settings;  ///< threads and seed alone
+    SettingsOptions settings;  ///< only threads and seed
     SceneOptions scene_options;
 };
 

@@ -41,7 +41,7 @@ using Judge = std::function<judge::Validation(const judge::ValidationJob& job)>;
 
 /// The other renderer.
 struct OtherSide {
-    std::string name;            ///< heads the column of its times
+    std::string name;            ///< the heading of the column with its times
     std::string povray_version;  ///< empty: it is not POV-Ray
     judge::Report report;        ///< without entries
     Judge judge;

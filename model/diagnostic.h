@@ -17,7 +17,7 @@ struct Diagnostic {
     std::string message;  ///< one sentence, lower case, no full stop
     std::string hint;     ///< what to write instead; may be empty
     std::vector<Diagnostic>
-        notes;  ///< first definition, opener, call stack; without notes of their own
+        notes;  ///< first definition, opener, call stack; they have no notes themselves
 };
 
 /// Formats the diagnostic like a compiler:

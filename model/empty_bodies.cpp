@@ -120,7 +120,8 @@ class Tree {
 
     const Scene& scene_;
     const Composite& composite_;
-    std::vector<std::vector<Child>> children_;  ///< of each node; what is not subtracted first
+    /// of each node; parts that are not subtracted come first
+    std::vector<std::vector<Child>> children_;
 };
 
 }  // namespace

@@ -7,9 +7,9 @@ namespace lancer {
 
 /// Why a body contains no point.
 enum class Emptiness {
-    not_known,  ///< it may hold some
-    apart,      ///< parts of an intersection have no room in common
-    cut_away,   ///< what is cut away holds all of the first part
+    not_known,  ///< it may contain points
+    apart,      ///< the parts of an intersection do not overlap
+    cut_away,   ///< the cut parts contain the whole first part
 };
 
 /// Concludes this from the boxes of spheres, boxes, cylinders, cones and tori; for other shapes it

@@ -41,7 +41,7 @@ using LightKind = std::variant<PointLight, DirectionalLight, SpotLight>;
 struct Light {
     LightKind kind;
     Color color{1, 1, 1};
-    bool shadows = true;  ///< false: a fill light, no shadow test and no highlights
+    bool shadows = true;  ///< false: a fill light without shadows and highlights
     SourceSpan place{};
 };
 

@@ -33,7 +33,7 @@ struct Gradient {
         Color color{0, 0, 0};
     };
     Vec3d axis{0, 1, 0};      ///< any length but 0
-    std::vector<Stop> stops;  ///< at least one, `at` never decreasing
+    std::vector<Stop> stops;  ///< at least one; `at` never decreases
 };
 
 /// The colours of a mesh's vertices, interpolated over its faces: `color vertex` in a material.

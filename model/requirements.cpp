@@ -120,7 +120,7 @@ class Collector {
     const Settings& settings_;
     Requirements found_;
     std::optional<Demand> first_filter_;
-    Bodies bodies_{scene_};  ///< asked only when it matters: a mesh takes a while
+    Bodies bodies_{scene_};  ///< called only when needed: a mesh takes a while
 };
 
 }  // namespace

@@ -21,12 +21,12 @@ enum class Feature : std::uint8_t {
     textures,           ///< coordinates at each hit
     image_textures,     ///< images decoded and looked up
     shadows,            ///< a ray to each light
-    filtered_shadows,   ///< shadows need more than a yes or no: some caster lets light through
+    filtered_shadows,   ///< some caster lets light through, so shadows are more than yes or no
     reflection,         ///< mirror rays
     fresnel,            ///< reflection weighted by Fresnel's equations
     transmission,       ///< rays that go on behind a surface
     media,              ///< a list of the bodies that a ray is in
-    smooth_media,       ///< a second list, of the bodies whose index counts
+    smooth_media,       ///< a second list: the bodies whose index applies
     refraction,         ///< rays that bend
     absorption,         ///< light that fades inside a body
     light_from_behind,  ///< diffuse_transmission or phong_transmission
@@ -39,7 +39,7 @@ std::string_view meaning_of(Feature feature);
 
 /// The first object that requires a feature.
 struct Demand {
-    std::uint32_t object = none;  ///< index into Scene::objects; none: it is the lights
+    std::uint32_t object = none;  ///< index into Scene::objects; none: the lights require it
     SourceSpan place;             ///< of that object or light
 };
 

@@ -70,9 +70,10 @@ struct Composite {
         std::uint32_t end = 0;
     };
     struct Leaf {
-        Object object;  ///< a body; its material is that of the faces which it brings
+        Object object;  ///< a body; its material is that of the faces that it contributes
         Place place;
-        std::uint32_t texture_space = 0;  ///< index into Scene::transforms: where its texture lies
+        /// index into Scene::transforms: the transform of its texture
+        std::uint32_t texture_space = 0;
     };
 
     std::vector<Node> nodes;   ///< nodes[0] is the whole; a parent comes before its children

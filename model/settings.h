@@ -18,7 +18,7 @@ struct Settings {
     double min_contribution = 0.002;  ///< a branch whose weight falls below it is not followed
     int samples = 1;                  ///< n = n x n rays per pixel; 1 = through its centre
     Sampling sampling = Sampling::grid;
-    std::uint64_t seed = 0;  ///< another draws other Sobol points
+    std::uint64_t seed = 0;  ///< another seed gives other Sobol points
     bool shadows = true;
     bool smooth = true;    ///< interpolated normals
     bool textures = true;  ///< false: plain colours
@@ -27,7 +27,7 @@ struct Settings {
     /// tolerance.
     std::optional<double> tolerance;
     Precision precision = Precision::double_;
-    int threads = 0;  ///< 0 = as many as the machine has
+    int threads = 0;  ///< 0 = as many as the machine has cores
 };
 
 }  // namespace lancer

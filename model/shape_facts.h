@@ -15,7 +15,7 @@ namespace lancer {
 /// A description of a shape without an inside, for messages.
 struct Sheet {
     std::string_view what;
-    std::string_view hint;  ///< how it may get an inside
+    std::string_view hint;  ///< how it could get an inside
 };
 
 struct ShapeFacts {
@@ -27,7 +27,7 @@ struct ShapeFacts {
     bool mesh = false;            ///< made of triangles with an acceleration structure
     bool spline = false;          ///< patch, lathe or prism
     bool interpolates = false;    ///< has normals to interpolate
-    std::uint64_t triangles = 0;  ///< that it counts for
+    std::uint64_t triangles = 0;  ///< how many triangles it counts as
 };
 
 /// For a composite, the name and the inside are its own; the other facts combine those of its

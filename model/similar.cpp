@@ -37,7 +37,7 @@ bool is_along_an_axis(const Vec3d& v) {
 struct Rewriter {
     Scene& scene;
     const Similarity& to;
-    std::map<std::uint32_t, std::uint32_t>& meshes;  ///< index -> that of the rewritten copy
+    std::map<std::uint32_t, std::uint32_t>& meshes;  ///< from an index to that of the changed copy
 
     bool operator()(Sphere& s) const {
         s.center = to.place(s.center);

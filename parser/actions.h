@@ -9,7 +9,7 @@ namespace lancer::grammar {
 template <class Rule>
 struct action : p::nothing<Rule> {};
 
-/// Calls a member of the builder with the begin and end of the matched text.
+/// Calls a member of the builder with the first and last position of the matched text.
 template <void (Builder::*member)(const char*, const char*)>
 struct tell {
     template <class In>
@@ -17,7 +17,7 @@ struct tell {
         (builder.*member)(in.begin(), in.end());
     }
 };
-/// Calls it with the begin only.
+/// Calls it with the first position only.
 template <void (Builder::*member)(const char*)>
 struct tell_begin {
     template <class In>
@@ -25,7 +25,7 @@ struct tell_begin {
         (builder.*member)(in.begin());
     }
 };
-/// Calls it with the end only.
+/// Calls it with the last position only.
 template <void (Builder::*member)(const char*)>
 struct tell_end {
     template <class In>

@@ -45,7 +45,7 @@ enum class Op : std::uint8_t {
     or_else,  ///< left side true: leave it and jump past `or_end`
     or_end,
     choose,  ///< condition false: jump to the third operand
-    jump,    ///< after the second operand: past the third
+    jump,    ///< after the second operand: jump past the third
     skip,    ///< jump over the steps of the block in place that comes next
     block,   ///< a material or texture in place; payload: index into File::statements
     // Computed lists: the elements gather on the stack.
@@ -54,7 +54,7 @@ enum class Op : std::uint8_t {
     each_number,   ///< from, to -> an iteration; payload: the variable, and the step after its end
     each_element,  ///< list -> an iteration; the same payload
     only_if,       ///< condition false: jump
-    keep,          ///< counts an element
+    keep,          ///< counts an element of the list
     again,         ///< the variable's next value: jump back; after the last: end of the iteration
     gathered,      ///< the elements since `gather` -> list
 };
@@ -111,10 +111,10 @@ struct Statement {
         broken,     ///< a declaration of `name` that could not be read
     };
     Kind kind = Kind::property;
-    bool damaged = false;  ///< a syntax error stands in its body
+    bool damaged = false;  ///< its body contains a syntax error
     bool has_otherwise = false;
     Symbol word = no_symbol;               ///< the first word
-    Symbol name = no_symbol;               ///< what it declares, or a block's name
+    Symbol name = no_symbol;               ///< the declared name, or a block's name
     std::uint32_t offset = 0, length = 0;  ///< of the first word
     std::uint32_t name_offset = 0, name_length = 0;
     Expression value;
@@ -129,13 +129,13 @@ struct Comment {
 };
 
 struct File {
-    std::uint32_t source = 0;  ///< in the SourceMap
+    std::uint32_t source = 0;  ///< index in the SourceMap
     std::vector<Step> steps;
     std::vector<Argument> arguments;
     std::vector<Statement> statements;  ///< bodies before the statement that owns them
     Range body;                         ///< the file's own statements
     std::vector<Comment> comments;      ///< in the order of the text
-    std::vector<Symbol> variables;      ///< of lists that are computed
+    std::vector<Symbol> variables;      ///< the variables of computed lists
 
     SourceSpan span(std::uint32_t offset, std::uint32_t length) const {
         return {source, offset, length};

@@ -205,12 +205,12 @@ class Builder {
     OpenExpressions within_;
     ast::Expression last_value_;
     std::uint64_t nesting_ = 0;
-    const char* last_brace_ = nullptr;  ///< behind the last `}` of a body
-    const char* last_end_;              ///< of the last token of an expression
+    const char* last_brace_ = nullptr;  ///< after the last `}` of a body
+    const char* last_end_;              ///< the end of the last token of an expression
     const char* comment_open_ = nullptr;
     const char* string_open_ = nullptr;
     const char* declarator_end_ = nullptr;  ///< where a reported `var` was followed by a name
-    bool cut_short_ = false;                ///< the text ended too early, and that was said
+    bool cut_short_ = false;                ///< the text ended too early, and this was reported
 };
 
 }  // namespace lancer::grammar

@@ -16,10 +16,10 @@ inline constexpr std::string_view required = "required";
 
 struct Field {
     std::string_view name;
-    std::string_view takes;     ///< continues "'name' takes"
-    std::string_view standard;  ///< what stands when it is not given; or `required`
+    std::string_view takes;     ///< completes the sentence "'name' takes ..."
+    std::string_view standard;  ///< the default, or `required`
     std::string_view doc;
-    std::span<const std::string_view> words;  ///< if it takes one of a few words: these
+    std::span<const std::string_view> words;  ///< the words that it takes, if any
     bool repeats = false;                     ///< may be given more than once
     /// Stores the value in the owner, a struct that the table was made for. Returns false when the
     /// value does not fit `takes`; `instead` may then describe the problem.

@@ -84,7 +84,8 @@ struct color              : p::if_must<p::one<'#'>, color_digits_needed> {};
 struct body;
 struct expression;
 struct expression_needed : p::seq<expression> {};
-struct value_begin       : p::success {};   // marks the begin of an expression that a statement owns
+// the first position of an expression that a statement owns
+struct value_begin       : p::success {};
 struct value             : p::seq<value_begin, expression> {};
 struct value_needed      : p::seq<value> {};
 

@@ -32,15 +32,15 @@ struct OpenStatements {
         const PropertySet* properties = nullptr;
         bool properties_only = false;
         bool damaged = false;
-        bool brace_lost = false;  ///< its `}` is in a string without an end
+        bool brace_lost = false;  ///< a string that is not closed contains its `}`
         const char* opener = nullptr;
         std::size_t pending = 0;
     };
 
-    std::vector<ast::Statement> building;  ///< begun; the innermost is the last
-    std::vector<ast::Statement> pending;   ///< ended, in bodies that are not
+    std::vector<ast::Statement> building;  ///< begun statements, the innermost last
+    std::vector<ast::Statement> pending;   ///< complete statements of bodies that are still open
     std::vector<Context> contexts;
-    std::vector<std::size_t> else_marks;  ///< of `pending`, where each `else` begins
+    std::vector<std::size_t> else_marks;  ///< index into `pending` where each `else` begins
 
     auto stacks() { return std::tie(building, pending, contexts, else_marks); }
 };
@@ -62,7 +62,7 @@ struct OpenExpressions {
     struct Clause {
         ast::Step word;
         Symbol variable = no_symbol;  ///< none for an `if`
-        std::uint32_t step = 0;       ///< whose payload is to be completed
+        std::uint32_t step = 0;       ///< the step whose payload is not yet set
     };
     /// A block in place: the lengths of the arrays before it.
     struct Skip {
@@ -72,8 +72,8 @@ struct OpenExpressions {
 
     std::vector<ast::Expression> values;
     std::vector<Operator> operators;
-    std::vector<std::size_t> bases;       ///< of `operators`, where each chain begins
-    std::vector<std::uint32_t> branches;  ///< steps of `? :` whose jumps are to be completed
+    std::vector<std::size_t> bases;       ///< index into `operators` where each chain begins
+    std::vector<std::uint32_t> branches;  ///< steps of `? :` whose jumps are not yet set
     std::vector<const char*> brackets;
     std::vector<Listed> counts;  ///< of lists and calls
     std::vector<ast::Argument> labels;

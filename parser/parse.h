@@ -25,10 +25,11 @@ struct Limits {
     std::uint64_t calls = 512;              ///< nested calls or includes
     std::uint64_t nesting = 512;            ///< levels of brackets, blocks, operators in the text
     std::uint64_t source_bytes = 64ull << 20;   ///< all files together
-    std::uint64_t list_elements = 100'000'000;  ///< ever made
+    std::uint64_t list_elements = 100'000'000;  ///< made during the whole run
     std::uint64_t objects = 5'000'000;  ///< shapes; as many lights, cameras, materials, textures
-    std::uint64_t held_bytes = 1ull << 30;    ///< of lists and strings at one time
-    std::uint64_t text_bytes = 256ull << 20;  ///< strings ever made, printed lines included
+    std::uint64_t held_bytes = 1ull << 30;  ///< of lists and strings at one time
+    /// made during the whole run, including printed lines
+    std::uint64_t text_bytes = 256ull << 20;
 };
 
 /// What the command line defines for a script's params.

@@ -27,7 +27,7 @@ struct Binding {
     SourceSpan place;                            ///< of the name in its definition
     std::uint32_t scope = 0;                     ///< set by bind()
     std::uint32_t depth = 0;                     ///< set by bind()
-    std::uint32_t previous = 0;                  ///< set by bind(): the next older one of the name
+    std::uint32_t previous = 0;  ///< set by bind(): the previous binding of the name
 };
 
 class Scopes {
@@ -70,7 +70,7 @@ class Scopes {
 
     struct Level {
         std::uint32_t scope = unlimited;
-        std::uint32_t limit = unlimited;  ///< bindings from here on were made later
+        std::uint32_t limit = unlimited;  ///< bindings from this index on were made later
     };
     struct Scope {
         std::uint32_t first_binding = 0;
@@ -83,7 +83,7 @@ class Scopes {
                index < display_[b.depth].limit;
     }
 
-    std::vector<Binding> bindings_{Binding{}};  ///< the first is none
+    std::vector<Binding> bindings_{Binding{}};  ///< the first means: none
     std::vector<std::uint32_t> newest_;         ///< by symbol; 0: none
     std::vector<Scope> scopes_;
     std::vector<Level> display_{Level{}};

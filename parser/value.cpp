@@ -26,7 +26,7 @@ struct Text {
     std::uint64_t bytes() const { return sizeof(Text) + of_allocation + text.capacity(); }
 
     std::uint64_t uses = 1;
-    std::uint64_t characters = 0;  ///< counted when asked for; 0: not yet
+    std::uint64_t characters = 0;  ///< counted at the first use; 0: not yet
     std::string text;
 };
 

@@ -17,7 +17,7 @@ struct Text;
 class Value {
   public:
     enum class Kind : std::uint8_t {
-        broken,  ///< of something that was wrong and has been reported: silences what follows
+        broken,  ///< the result of a reported error: causes no further messages
         number,
         boolean,
         vector,  ///< a list of 2 or 3 numbers

@@ -58,7 +58,7 @@ std::string non_finite_problem(const Image& picture) {
 
 struct OurSide {
     Image image;
-    ProbeFunction probe;  ///< (0.5, 0.5) is where the other program looks first
+    ProbeFunction probe;  ///< (0.5, 0.5) is the point of the other program's first ray
     std::uint64_t rays = 0;
 };
 

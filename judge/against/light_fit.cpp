@@ -19,7 +19,7 @@ namespace {
 struct Source {
     std::string words;
     std::vector<Color> brought;
-    std::array<double, 3> excess{0, 0, 0};  ///< its share in the other picture, less 1
+    std::array<double, 3> excess{0, 0, 0};  ///< its factor in the other picture, minus 1
 };
 
 std::vector<Color> less(const std::vector<Color>& a, const std::vector<Color>& b) {
@@ -115,7 +115,7 @@ std::string brightness_words(const Source& source) {
 struct Law {
     std::string words;
     std::optional<Fade> fade;
-    double brightness = 1;  ///< that makes what the light brings as large as before, roughly
+    double brightness = 1;  ///< makes the light contribute about as much as before
 };
 
 const std::optional<Fade>* fade_of(const Light& light) {

@@ -8,7 +8,7 @@ namespace lancer::judge {
 /// The transfer curve between the file's values and light.
 struct Encoding {
     enum class Kind {
-        automatic,  ///< what the file says of itself, see docs/files.md
+        automatic,  ///< the file's own declaration, see docs/files.md
         linear,     ///< the numbers are light
         srgb,
         gamma,  ///< light is the number to the power of `exponent`

@@ -13,7 +13,7 @@ namespace lancer::judge {
 struct SceneVariant {
     std::string words;  ///< a sentence without a full stop
     std::function<void(Scene&)> change;
-    bool mirrored = false;  ///< left and right are exchanged besides
+    bool mirrored = false;  ///< also exchanges left and right
 };
 
 /// Variants of the camera, of the settings, and of the `suspects`, the objects that many different

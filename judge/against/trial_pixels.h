@@ -17,10 +17,11 @@ struct TrialPixels {
     std::vector<PicturePoint> points;  ///< where the other program is taken to look
     std::vector<Color> ours;
     std::vector<Color> theirs;
-    std::size_t different = 0;  ///< of the points, the first ones; the others agree
+    /// the number of different points, which come first; the others agree
+    std::size_t different = 0;
     double tolerance = 1e-4;
     double exposure = 1;
-    bool clipped = false;  ///< theirs hold nothing above 1: ours are clipped, too
+    bool clipped = false;  ///< their values are at most 1, so ours are clipped, too
 };
 
 /// Every n-th of the points that differ, so that there are about `most`.

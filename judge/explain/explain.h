@@ -46,11 +46,11 @@ enum class PixelClass : std::uint8_t {
     shadow,
     texture,
     secondary,
-    steep,        ///< explained: the last digits of the ray decide what it brings
-    coincident,   ///< faces in one place: told apart, the other program has our value
-    outlier,      ///< the other picture has our value all around the pixel's centre
-    known,        ///< what the other program does otherwise by a rule of its own
-    unexplained,  ///< a mistake, or not looked at for want of rays
+    steep,        ///< explained: the last digits of the ray decide its colour
+    coincident,   ///< coincident faces: when they are told apart, the other program has our value
+    outlier,      ///< the other picture has our value around the pixel's centre
+    known,        ///< the other program differs by a rule of its own
+    unexplained,  ///< an error, or not examined because the rays were used up
 };
 inline constexpr std::size_t pixel_classes = 10;
 std::string class_name(PixelClass pixel_class);
@@ -65,7 +65,7 @@ struct DifferentPixel {
     double difference = 0;
     Color ours{0, 0, 0};
     Color theirs{0, 0, 0};
-    Offset offset;  ///< explained: from the centre to the edge
+    Offset offset;  ///< from the centre to the edge that explains it
     bool took_povray =
         false;  ///< its class took more of POV-Ray, or of its rules, than its picture
 };
@@ -74,21 +74,21 @@ struct Judgement {
     bool pass = false;
     std::vector<std::string>
         failures;               ///< one sentence each, with the achieved value and the threshold
-    std::string shift_failure;  ///< the one of them that is about `picture_shift`; may be empty
+    std::string shift_failure;  ///< the one about `picture_shift`; may be empty
 
     std::size_t pixels = 0;
     std::size_t edge_pixels = 0;
-    std::size_t interior_pixels = 0;  ///< neither edge nor explained nor known
+    std::size_t interior_pixels = 0;  ///< neither edges nor explained nor known
     double interior_max = 0;
     double interior_p999 = 0;
     double tight_share = 1;  ///< achieved
     std::size_t counts[pixel_classes] = {};
-    std::size_t not_looked_at = 0;  ///< of the unexplained: when the rays were used up
-    std::uint64_t rays = 0;         ///< that explaining cost
+    std::size_t not_looked_at = 0;  ///< unexplained because the rays were used up
+    std::uint64_t rays = 0;         ///< the cost of explaining
     std::size_t explained = 0;
     std::size_t displaced = 0;  ///< explained by an edge further than Thresholds::rounding
     Shift edge_shift;           ///< mean of the explained pixels' offsets
-    Shift picture_shift;        ///< by registration of what lies between the edges
+    Shift picture_shift;        ///< from registration of the areas between edges
 
     std::vector<DifferentPixel> different;  ///< rows from the top
     std::vector<PixelClass> classes;        ///< of every pixel, rows from the top
@@ -108,8 +108,8 @@ struct ResolvedPicture {
 /// Further evidence about a different pixel. All members may be empty.
 struct SecondLook {
     // The picture from a second recursion, not our renderer's own.
-    ProbeFunction by_rules;  ///< by the other program's rules: it gives the other program's values
-    ProbeFunction without;   ///< the same recursion without them: it gives ours
+    ProbeFunction by_rules;  ///< with the other program's rules: gives the other program's values
+    ProbeFunction without;   ///< without these rules: gives our values
     /// The other program's picture of 3 x 3 points, `pitch` pixels apart, around the centre of
     /// pixel (x, y). Costs a run of that program.
     std::function<Image(int x, int y, double pitch)> around{};

@@ -12,7 +12,7 @@ enum class EdgeKind {
     silhouette,  ///< another object, a jump in depth or a crease
     shadow,      ///< the same surface with other lights
     texture,     ///< the same surface and lights: the surface's own colour
-    secondary,   ///< all that, seen in a mirror or through glass
+    secondary,   ///< one of these, seen in a mirror or through glass
 };
 
 /// An edge of our own picture beside a pixel's centre, with the other picture's value behind it.

@@ -29,7 +29,7 @@ void shrink(Preview& preview, std::size_t most_bytes);
 struct Measure {
     std::string name;
     std::string achieved;
-    std::string threshold;  ///< empty: nothing depends on it
+    std::string threshold;  ///< empty: there is no requirement
     bool ok = true;
 };
 
@@ -38,7 +38,7 @@ struct Marker {
     int x = 0;
     int y = 0;
     std::string kind;  ///< "unexplained", "silhouette", ...: decides its colour
-    std::string text;  ///< shown when pointed at
+    std::string text;  ///< shown under the pointer
     double difference = 0;
     Color left{0, 0, 0};
     Color right{0, 0, 0};
@@ -64,7 +64,7 @@ struct Note {
 enum class Verdict {
     failed,  ///< one of the pictures could not be made or read
     differs,
-    refused,  ///< there is no second picture, and that was expected
+    refused,  ///< there is no second picture, as expected
     agrees,
 };
 
@@ -82,8 +82,8 @@ struct ReportEntry {
     std::vector<std::string> cells;   ///< of its line in the table at the top, see Report::columns
     std::vector<Measure> measures;
     std::vector<Marker> markers;
-    std::vector<Note> notes;     ///< shown at once: known differences, approximations
-    std::vector<Note> evidence;  ///< shown when asked for: commands, versions, sizes
+    std::vector<Note> notes;     ///< always shown: known differences, approximations
+    std::vector<Note> evidence;  ///< shown on request: commands, versions, sizes
     std::vector<ReportFile> files;
     double left_seconds = 0;  ///< 0: not measured
     double right_seconds = 0;

@@ -18,7 +18,7 @@ struct PlotSeries {
 
 struct PlotPanel {
     std::string title;
-    std::string base;  ///< "10" or "2": what the exponent is of; empty: numbers alone
+    std::string base;  ///< "10" or "2": the base of the exponent; empty: plain numbers
     std::vector<PlotSeries> series;
 };
 

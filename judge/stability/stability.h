@@ -20,10 +20,11 @@
 namespace lancer::judge {
 
 enum class Change {
-    scale,     ///< all lengths times 10^k
-    twos,      ///< all lengths times 2^k, which rounds nothing: the same bytes are asked for
-    shift,     ///< 10^k added to x, y and z
-    distance,  ///< the camera 10^k as far away, showing as much; judged by `extended` at each k
+    scale,  ///< all lengths times 10^k
+    twos,   ///< all lengths times 2^k, which is exact: the bytes must be the same
+    shift,  ///< 10^k added to x, y and z
+    /// the camera 10^k times as far away with the same extent; compared with `extended` at each k
+    distance,
     axes,      ///< x, y, z renamed y, z, x, once and twice
     extended,  ///< the scene as it is, in 64 instead of 53 bits
 };
@@ -42,16 +43,16 @@ struct Trial {
     int low =
         0;  ///< least exponent: <= 0 for `scale` and `twos`, 0 for `distance`, any for `shift`
     int high = 0;           ///< greatest exponent, >= low; for all but `shift` >= 0
-    std::vector<int> also;  ///< exponents to be looked at whatever the search thinks
+    std::vector<int> also;  ///< exponents to be tried in any case
 
     /// The exponent that leaves the scene unchanged; for `shift` the one before the first.
     int origin() const { return change == Change::shift ? low - 1 : 0; }
 };
 
 struct Sample {
-    int exponent = 0;           ///< of the change's base; of `axes` how many times
+    int exponent = 0;           ///< of the change's base; for `axes` the number of renamings
     std::size_t wrong = 0;      ///< pixels off by more than StabilityOptions::fail in a channel
-    std::size_t different = 0;  ///< pixels with another bit anywhere
+    std::size_t different = 0;  ///< pixels whose bits differ at all
     double most = 0;            ///< largest difference of a channel
     std::string failure;        ///< why there is no picture; then all pixels are wrong
     bool right = false;
@@ -145,7 +146,7 @@ struct PovRayWindow {
     int lowest = 0;
     int highest = 0;
     std::string version;
-    std::string failure;  ///< why POV-Ray was not asked; then the rest is empty
+    std::string failure;  ///< why POV-Ray did not run; the rest is then empty
 };
 PovRayWindow povray_window(const Scene& scene, const reference::ExportView& view,
                            const reference::PovRay& povray,

@@ -26,7 +26,7 @@ struct StabilityReport {
     }
     StabilityOptions options;
     std::vector<Window> windows;
-    std::optional<PovRayWindow> povray;  ///< nothing when nobody asked
+    std::optional<PovRayWindow> povray;  ///< nothing when not requested
     std::vector<WindowDemand> demands;
 };
 

@@ -6,12 +6,12 @@
 namespace lancer::judge {
 
 struct MeasuredError {
-    double mean_square = 0;     ///< over pixels and channels, linear light; without bias
-    double standard_error = 0;  ///< of mean_square, as far as the truth's own noise makes it
+    double mean_square = 0;     ///< over pixels and channels, linear light; unbiased
+    double standard_error = 0;  ///< of mean_square, caused by the noise of the truth
     double rmse = 0;            ///< 0 when mean_square is not positive
     double low = 0;             ///< the interval of 95 %
     double high = 0;
-    double p999 = 0;  ///< 99.9 % of the pixels are off by this or less, in their worst channel
+    double p999 = 0;  ///< 99.9 % of the pixels have at most this error in their worst channel
     double flip = 0;  ///< mean FLIP error
 
     /// Whether the truth is precise enough to distinguish this error from zero.

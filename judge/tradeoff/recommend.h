@@ -11,10 +11,11 @@ namespace lancer::judge {
 struct Measurement;
 
 struct Advice {
-    double below = 0;                ///< the error
-    std::string below_text;          ///< "1/255"
-    std::optional<std::size_t> use;  ///< index of the fastest of the frontier that is surely below
-    double times_as_fast = 1;        ///< as the exact one
+    double below = 0;        ///< the target error
+    std::string below_text;  ///< "1/255"
+    /// index of the fastest frontier setting that is surely below it
+    std::optional<std::size_t> use;
+    double times_as_fast = 1;  ///< compared with the exact setting
 };
 
 /// Advice for common target errors, from coarse to fine. A setting counts with the upper end of its

@@ -10,10 +10,11 @@ namespace lancer::judge {
 
 struct SettingRun {
     Image image;
-    Cost cost;  ///< the world's building included, the file's writing not
+    Cost cost;  ///< including building the world, without writing the file
     RayCounts rays;
-    std::vector<double> guessed;         ///< standard errors that such a setting guesses, a pixel
-    std::vector<std::uint32_t> samples;  ///< a pixel; empty where all have as many
+    /// the standard errors that an adaptive setting predicts, per pixel
+    std::vector<double> guessed;
+    std::vector<std::uint32_t> samples;  ///< per pixel; empty when all pixels have the same number
 };
 
 /// Throws accuracy::Unreachable when an error cannot be reached, SceneError.

@@ -10,8 +10,8 @@ namespace lancer::judge {
 struct SettingPictures {
     std::string picture;
     std::string error;    ///< the difference from the truth, see reference::heat_map
-    std::string guessed;  ///< the same as the setting guesses it; may be empty
-    std::string samples;  ///< a pixel, logarithmic; empty where all have as many
+    std::string guessed;  ///< the difference that the setting predicts; may be empty
+    std::string samples;  ///< per pixel, logarithmic; empty when all have the same number
 };
 SettingPictures pictures_of(const SettingRun& run, const TruePicture& truth);
 

@@ -35,7 +35,7 @@ const char* name_of(Knob knob);
 struct TradeSetting {
     Knob knob = Knob::samples;
     Settings settings;
-    std::optional<double> max_error;  ///< then this chooses samples and limits
+    std::optional<double> max_error;  ///< if set, it determines samples and limits
     bool audited = true;              ///< with max_error
     std::string label;                ///< for a table: "sobol 4 x 4, depth 3"
     std::string options;              ///< of `lancer render`: "--sampling sobol --samples 4 ..."
@@ -49,9 +49,9 @@ struct TradeSetting {
 /// The properties of a scene that decide which knobs matter.
 struct TurnedScene {
     const Scene& scene;
-    Requirements requirements;  ///< with all that can be switched off switched on
-    double pixel = 1;           ///< size of a pixel at what the camera looks at, scene units
-    Settings uncut;  ///< the script's, but to 1,000 levels, in double; hardly anything cut
+    Requirements requirements;  ///< as if all that can be switched off were switched on
+    double pixel = 1;           ///< the size of a pixel at the look_at point, in scene units
+    Settings uncut;  ///< the script's settings with 1,000 levels in double; hardly anything is cut
 
     bool recurses() const;
     bool has_splines() const { return requirements.needs(Feature::splines); }

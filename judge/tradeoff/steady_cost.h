@@ -20,7 +20,7 @@ struct TimedSetting {
     std::string way;
     int max_depth = 0;  ///< of the recursion: threads keep room for as many levels
     RayCounts rays;
-    std::vector<double> seconds;  ///< of the processor, one a round; a round runs all settings
+    std::vector<double> seconds;  ///< of processor time, one per round; a round runs all settings
 };
 
 /// What a picture takes, what each step of the largest depth adds, and each ray. One to a light,
@@ -35,7 +35,7 @@ struct RaySeconds {
 
 struct SteadyCosts {
     RaySeconds fitted;
-    std::vector<double> seconds;  ///< one a setting
+    std::vector<double> seconds;  ///< one per setting
     /// Half of the 95 % interval for the median of a setting's runs, as a share of it.
     double noise = 0;
 };

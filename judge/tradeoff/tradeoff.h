@@ -15,7 +15,7 @@
 namespace lancer::judge {
 
 struct TradeOffOptions {
-    double budget = 0;  ///< wall-clock seconds for all; 0: as long as it takes
+    double budget = 0;  ///< wall-clock seconds for everything; 0: no limit
     TruthCache cache;
     bool with_pictures = false;  ///< keep each setting's picture
     /// Called with the share that is done, and a description of the current step.
@@ -25,15 +25,15 @@ struct TradeOffOptions {
 /// The measured results of one setting.
 struct Measurement {
     TradeSetting setting;
-    std::vector<double> seconds;  ///< of the processor, one a run
-    double cost = 0;              ///< steady_cost.h; 0: not told
+    std::vector<double> seconds;  ///< of processor time, one per run
+    double cost = 0;              ///< from steady_cost.h; 0: not known
     RayCounts rays;
     std::optional<std::uint64_t> memory_bytes;
     MeasuredError error;
-    std::string error_png;    ///< if wanted: off the truth by
-    std::string guessed_png;  ///< if wanted, and there is one: the same as it was guessed
-    std::string samples_png;  ///< if wanted, and not as many everywhere: where they are
-    std::string png;          ///< its picture, if it was wanted
+    std::string error_png;    ///< if requested: the difference from the truth
+    std::string guessed_png;  ///< if requested and predicted: the predicted difference
+    std::string samples_png;  ///< if requested and not uniform: the samples of each pixel
+    std::string png;          ///< its picture, if requested
     std::optional<std::size_t> beaten_by;  ///< index; nothing: on the frontier
 
     double median() const;
@@ -56,13 +56,13 @@ struct TradeOffReport {
     std::vector<Advice> advice;
     std::vector<LeftOut> left_out;
     TraceLimits truth_limits;
-    std::uint32_t truth_points = 0;  ///< a pixel, both halves
+    std::uint32_t truth_points = 0;  ///< per pixel, in both halves together
     double truth_error = 0;          ///< RMSE
-    double truth_cut = 0;            ///< RMSE, a bound: of what its limits leave out
+    double truth_cut = 0;            ///< RMSE: a bound on what its limits cut
     bool truth_cached = false;       ///< at least in part
     std::string truth_png;           ///< if pictures were wanted
-    double time_noise = 0;           ///< share of a median that the clock cannot tell
-    RaySeconds ray_seconds;          ///< as costs count them
+    double time_noise = 0;           ///< uncertainty of a median time, as a share of it
+    RaySeconds ray_seconds;          ///< the fitted costs of rays
     double seconds = 0;              ///< wall-clock, of all
 
     int width() const { return view.crop ? view.crop->width : view.width; }

@@ -67,13 +67,13 @@ struct Validation {
     double exposure = 1;  ///< of light, in both pictures
     std::vector<reference::KnownDifference> known_differences;
     std::vector<reference::Coincidence> coincidences;
-    std::vector<std::string> coincidence_texts;  ///< one each, with both objects' places
+    std::vector<std::string> coincidence_texts;  ///< one per pair, with both objects' places
     std::string pov_text;                        ///< the exported scene
     std::vector<reference::Asset> pov_assets;
     std::vector<std::string> approximations;
     std::vector<std::string> expectations;
     Thresholds thresholds;
-    Image ours;  ///< times the exposure, clipped to 0..1 as POV-Ray's is
+    Image ours;  ///< multiplied by the exposure, clipped to 0..1 like POV-Ray's
     Image theirs;
     reference::Comparison comparison;
     Judgement judgement;

@@ -30,8 +30,8 @@ bool is_writable_image_name(const std::string& path);
 void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options);
 
 enum class ColorSpace {
-    automatic,  ///< whole numbers are sRGB unless the file says otherwise; floats are linear
-    linear,     ///< take the numbers as they stand
+    automatic,  ///< integers are sRGB unless the file says otherwise; floats are linear
+    linear,     ///< use the values unchanged
 };
 
 /// Reads an image into linear light: 1 channel (grey), 3 (RGB) or 4 (with alpha), and named extra

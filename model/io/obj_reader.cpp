@@ -201,8 +201,8 @@ class ObjReader {
     TextScanner scanner_;
     PolygonSoup soup_;
     std::unordered_map<std::string, std::uint32_t> numbers_;  ///< of materials, by name
-    std::uint32_t material_ = none;                           ///< of the faces that come
-    std::string colorless_;  ///< what to say of the first vertex without a colour
+    std::uint32_t material_ = none;                           ///< of the faces that follow
+    std::string colorless_;  ///< the warning for the first vertex without a colour
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ std::optional<std::string> line(std::string_view& text, std::string_view key) {
     return value;
 }
 
-/// The begin of a PNG's last chunk before its end; nothing when that chunk holds no origin.
+/// The position of a PNG's last chunk before its end; nothing when that chunk holds no origin.
 std::optional<std::size_t> origin_chunk(std::string_view png) {
     const std::string mark = "tEXt" + std::string(keyword) + '\0';
     const std::size_t found = png.rfind(mark);

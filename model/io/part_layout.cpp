@@ -45,7 +45,7 @@ void attribute(std::string& bytes, std::string_view name, std::string_view type,
 struct Channel {
     std::string name;
     int source;
-    bool exact;  ///< what is missing to the double
+    bool exact;  ///< holds the remainder to the double
 };
 
 /// Sorted by name, as the format requires.

@@ -73,7 +73,7 @@ Image decode_pfm(std::string_view bytes, const std::string& name) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                               static_cast<std::size_t>(channels);
     // The header ends with one byte of white space, or two if lines end with CR and LF. If bytes
-    // were missing or left over, the begin of the floats would be unknown.
+    // were missing or left over, the start of the floats would be unknown.
     std::string_view raster = bytes.substr(bytes.size() - scanner.bytes_left());
     const std::size_t ending = raster.starts_with("\r\n") ? 2 : 1;
     if (raster.size() != ending + 4 * count)

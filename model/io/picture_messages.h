@@ -21,7 +21,7 @@ struct PictureReply {
     enum class Kind : std::uint32_t {
         ended = 1,   ///< `number` is the exit code
         killed,      ///< `number` is the signal
-        timed_out,   ///< by the clock on the wall
+        timed_out,   ///< by the wall clock
         not_started  ///< `text` says why
     };
     Kind kind{};

@@ -177,7 +177,7 @@ class Builder {
     PolygonSoup& soup_;
     const std::string& name_;
     LoadedMesh loaded_;
-    std::string bad_color_;  ///< what is wrong with the first that a face uses
+    std::string bad_color_;  ///< the problem of the first bad colour that a face uses
     std::vector<Mesh::Corners> triangles_;
 };
 

@@ -39,7 +39,7 @@ class Quantizer {
   private:
     int top_;
     bool linear_;
-    std::vector<double> thresholds_;  ///< where the steps 1..top begin; empty: compute
+    std::vector<double> thresholds_;  ///< where the steps 1..top begin; empty: computed by a power
 };
 
 /// The linear light of each step 0..`top` of a format that encodes light as `curve`(light);

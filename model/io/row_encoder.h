@@ -26,7 +26,7 @@ class RowEncoder {
     StoredShape shape_;
     int channels_;  ///< of the picture
     int color_;
-    int last_;  ///< the channel that those beyond repeat
+    int last_;  ///< the channel whose values the further channels repeat
     bool is_radiance_;
     Quantizer quantizer_;
 };

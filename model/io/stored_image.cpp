@@ -22,7 +22,7 @@ constexpr std::uint64_t longest_text = 1 << 16;
 
 enum class Content : std::uint32_t { picture = 1, file, problem };
 
-/// At the begin of the memory. The text follows (the problem; or the names of the extra channels
+/// At the start of the memory. The text follows (the problem; or the names of the extra channels
 /// and the names and values of notes, each ended by a zero), then the pixels or bytes.
 struct Header {
     std::uint32_t mark;

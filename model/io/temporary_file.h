@@ -41,7 +41,7 @@ class TemporaryFile {
     std::string folder_;
     std::string name_;
     int descriptor_ = -1;
-    bool has_name_ = false;  ///< in the folder, so that it has to be removed
+    bool has_name_ = false;  ///< the name is in the folder, so it must be removed
     int slot_ = -1;          ///< see temporary_registry.h
 };
 
@@ -57,7 +57,7 @@ class TemporaryFolder {
 
   private:
     std::filesystem::path path_;
-    int descriptor_ = -1;  ///< holds the lock that says it is in use
+    int descriptor_ = -1;  ///< holds the lock that marks it as in use
     int slot_ = -1;
 };
 

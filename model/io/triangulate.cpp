@@ -205,12 +205,12 @@ class Polygon {
 
     std::vector<Vec3d> points_;
     std::vector<Vec2d> flat_;
-    std::vector<std::size_t> next_;  ///< the outline that is left, as a ring
+    std::vector<std::size_t> next_;  ///< the remaining outline, as a ring
     std::vector<std::size_t> previous_;
     std::vector<std::size_t> reflex_;  ///< its corners that do not turn left
     std::vector<bool> is_ear_;
     std::size_t first_ = 0;  ///< any corner of it
-    std::size_t left_ = 0;   ///< how many corners it has
+    std::size_t left_ = 0;   ///< its number of corners
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ struct MeshWithMaterials {
     std::shared_ptr<const Mesh> mesh;  ///< of `loaded`, or a copy of it with normals
     bool smooth = true;
     Inside inside = Inside::if_closed;
-    SourceSpan place{};  ///< of the file's name
+    SourceSpan place{};  ///< the place of the file's name
 };
 
 /// The objects that the mesh becomes. If the scene gives it a material, that is one mesh, and the

@@ -69,7 +69,7 @@ class BlockReader {
     const ast::Statement& block_;
     const BlockWord& word_;
     std::vector<Given> given_;                ///< by index of the property
-    std::vector<std::string_view> misspelt_;  ///< properties that were probably meant
+    std::vector<std::string_view> misspelt_;  ///< properties that misspelt words probably meant
     bool good_ = true;
     bool evaluates_ = true;
 };

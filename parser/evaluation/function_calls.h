@@ -40,7 +40,7 @@ class FunctionCalls {
     ValueStack& stack_;
     Executed& executed_;
     const ComputedLists& lists_;
-    std::vector<Run> waiting_;  ///< for a function that they called
+    std::vector<Run> waiting_;  ///< callers of the functions that run
 };
 
 }  // namespace lancer

@@ -17,7 +17,7 @@ class BlocksInPlace final : public InPlaceMaker {
   private:
     const BlockContext& context_;
     Executed& executed_;
-    std::uint64_t depth_ = 0;  ///< blocks that are being read, within each other
+    std::uint64_t depth_ = 0;  ///< how deep blocks in place are nested
 };
 
 }  // namespace lancer

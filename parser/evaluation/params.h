@@ -26,7 +26,7 @@ class Params {
   private:
     struct Defined {
         Value value;
-        bool taken = false;  ///< a param has it, or may do without
+        bool taken = false;  ///< a param uses it, or none needs to
     };
 
     const Context context_;

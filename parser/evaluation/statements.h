@@ -40,7 +40,7 @@ class Statements {
     struct Frame {
         enum class Kind : std::uint8_t { body, loop, call, group, include };
         Kind kind = Kind::body;
-        bool file_level = false;  ///< params may stand here
+        bool file_level = false;  ///< params are allowed here
         const ast::File* file = nullptr;
         std::uint32_t first = 0, next = 0, end = 0;
         const ast::Statement* loop = nullptr;

@@ -35,7 +35,7 @@ class Unreached {
     const BlockContext& context_;
     Executed& executed_;
     Includes& includes_;
-    std::unordered_set<Symbol> declared_;  ///< names that stand anywhere
+    std::unordered_set<Symbol> declared_;  ///< all names that any file declares
 };
 
 }  // namespace lancer

@@ -19,13 +19,13 @@ struct CompareOptions {
     double fail = 0;
     /// The comparison fails when more than this percentage of the pixels is over.
     double fail_percent = 0;
-    bool flip = true;  ///< also the FLIP metric, by far the slowest
+    bool flip = true;  ///< also compute the FLIP metric, by far the slowest
     /// Only these pixels count, in all measures.
     PixelMask counted{};
     /// Pixels that are over because an edge is displaced by up to a pixel's width
     /// (find_moved_edges) do not make the comparison fail.
     bool edges_may_move = false;
-    int window = 16;  ///< side of the window that is searched for, pixels, at least 1
+    int window = 16;  ///< side of the search window in pixels, at least 1
     /// The comparison fails when more than this percentage of the pixels of some window is over.
     double fail_window = 100;
 };

@@ -84,7 +84,7 @@ bool lets_light_pass(const Scene& scene, const Object& object) {
 Bounds composite_bounds(const Scene& scene, const Composite& composite) {
     struct Box {
         bool known = false;    ///< something was added
-        bool endless = false;  ///< and has no box
+        bool endless = false;  ///< it is unbounded
         Bounds bounds;
     };
     std::vector<Box> nodes(composite.nodes.size());

@@ -24,7 +24,7 @@ struct Traits {
     Vec3d normal{0, 0, 0};  ///< of a plane: normal·p = offset
     double offset = 0;
     bool body = false;
-    bool passes = false;   ///< light
+    bool passes = false;   ///< light passes through it
     bool absorbs = false;  ///< a body in which light fades
     bool smooth = false;   ///< a mesh whose shading normals are not its facets'
     bool patch = false;

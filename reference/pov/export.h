@@ -57,16 +57,16 @@ struct Asset {
 /// A rule by which POV-Ray differs in this scene, and the objects concerned.
 struct KnownDifference {
     enum class Rule {
-        absorption_inside,    ///< no absorption on what the inner side of a surface shows
-        absorption_nested,    ///< no absorption on a stretch that ends on another body
-        absorption_smooth,    ///< absorption by what bends light, not by the place
-        sheet_in_medium,      ///< a transparent sheet inside a body bends light
+        absorption_inside,    ///< no absorption of what the inner side of a surface shows
+        absorption_nested,    ///< no absorption on a path that ends at another body
+        absorption_smooth,    ///< absorption depends on what bends light, not on the place
+        sheet_in_medium,      ///< a transparent sheet inside a body refracts light
         fresnel_nested,       ///< no Fresnel reflection on leaving a body inside another
-        contribution,         ///< adc_bailout asks for the grey value of what passes as well
+        contribution,         ///< adc_bailout also tests the grey value of what passes
         depth_limit,          ///< max_trace_level: at most 256, and at 1 nothing passes through
         small_features,       ///< hits nearer than 1e-4, shadows nearer than 1e-3 are dropped
         far_away,             ///< nothing is seen beyond 1e7
-        coincident_surfaces,  ///< faces in one place: one of them is found, by no rule
+        coincident_surfaces,  ///< coincident faces: one of them is found, by no rule
         light_from_behind,    ///< a shadow ray on the far side starts with the viewer's media
         patch_facets,         ///< flat triangles under mixed normals
         index_single,         ///< indices of refraction in single precision
@@ -82,11 +82,11 @@ struct Coincidence {
     /// How moving one of the two slightly gives the result of Lancer's contact rule.
     enum class Resolution {
         hidden,      ///< opaque on opaque: no ray reaches them
-        sunk,        ///< a clear body on an opaque surface: sunk into it
-        merged,      ///< one glass, glued: one body
+        sunk,        ///< a clear body on an opaque surface: it is sunk into it
+        merged,      ///< glued bodies of the same glass become one
         overlapped,  ///< clear bodies of two materials, face to face: entered before left
-        in_front,    ///< one face in front of another: the opaque one, of two the first declared
-        none,        ///< clear in clear, a clear sheet on clear glass, two sheets: no such way
+        in_front,    ///< the opaque face in front; of two opaque ones, the first declared
+        none,        ///< clear in clear, a clear sheet on clear glass, two sheets: no resolution
     };
     std::uint32_t first = 0;  ///< index into Scene::objects
     std::uint32_t second = 0;
@@ -117,7 +117,7 @@ struct ExportResult {
     /// With resolve_coincidences: the scene that `text` describes, except for bodies that are
     /// merged there.
     std::shared_ptr<const Scene> resolved;
-    double unit = 1;  ///< POV-Ray's unit of length in the scene's: 1 / factor
+    double unit = 1;  ///< POV-Ray's unit of length in units of the scene: 1 / factor
     /// For each element of Scene::patches: POV-Ray draws every patch as 2^h x 2^h x 2 triangles.
     std::vector<int> patch_halvings;
     /// Errors with places: features that POV-Ray does not have. Nothing is dropped silently.

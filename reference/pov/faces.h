@@ -15,7 +15,8 @@ namespace lancer::reference::pov {
 struct FlatFace {
     Vec3d normal{0, 0, 0};  ///< unit; out of a body
     double offset = 0;
-    std::vector<Vec3d> corners;  ///< one, its two neighbours, and of four the last
+    /// a corner, its two neighbours, and for a parallelogram the fourth
+    std::vector<Vec3d> corners;
 };
 
 /// A piece of the side of a cylinder or cone. At height h along the axis, measured from the axis'

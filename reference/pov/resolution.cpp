@@ -28,7 +28,7 @@ struct Mover {
     double least = 0;       ///< growing: the reach of the nearest of its faces
     Vec3d normal{0, 0, 0};  ///< along
     double raised = 0;
-    bool fixed = false;  ///< lowered under something that cannot move
+    bool fixed = false;  ///< was lowered below something that cannot move
 };
 
 bool asks_for_nothing(const FacePair& pair) {
@@ -200,7 +200,7 @@ class Solver {
     const Scene& scene_;
     const std::vector<FacePair>& pairs_;
     std::map<Key, Mover> movers_;
-    bool walls_move_ = true;  ///< of holes, where it leads to an end
+    bool walls_move_ = true;  ///< whether walls of holes may move; tried first
 };
 
 /// Groups objects that merged pairs connect.

@@ -29,7 +29,7 @@ struct Writer {
     std::map<TextureKey, std::string> texture_names;
     std::map<MeshKey, std::string> mesh_names;
     std::vector<std::vector<std::uint32_t>> merged{};  ///< objects that are one body each
-    bool in_composite = false;                         ///< what is being written needs its inside
+    bool in_composite = false;  ///< the object that is being written needs its inside
 
     /// Reports a feature that POV-Ray does not have, at its place in the script.
     void refuse(const SourceSpan& where, const std::string& message, const std::string& hint = "");

@@ -41,7 +41,7 @@ struct PovPicture {
     Image image;         ///< linear light; POV-Ray clips it to 0..1 in steps of 1/65535
     double seconds = 0;  ///< that POV-Ray took, when it made the picture
     bool from_cache = false;
-    std::string command;                ///< what was run, as one would type it
+    std::string command;                ///< the command, as one would type it
     std::vector<std::string> warnings;  ///< POV-Ray's own lines; empty when from the cache
 };
 

@@ -53,7 +53,7 @@ class ChangedHeaders {
         text.insert(text.rfind("\n\n", at), "\n\nstruct Newcomer {};");
         write(header, text);
     }
-    /// Adds a name to an enumeration. `before` is the begin of its definition.
+    /// Adds a name to an enumeration. `before` is the first text of its definition.
     void widen_enumeration(const std::string& header, const std::string& before) {
         std::string text = read_text(root / header);
         const std::size_t at = text.find(before);

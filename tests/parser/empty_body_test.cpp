@@ -7,7 +7,7 @@
 namespace lancer {
 namespace {
 
-/// Replaces CUBE, BALL and RING by the begin of a block of that shape with size 1.
+/// Replaces CUBE, BALL and RING by the opening of a block of that shape with size 1.
 bool is_empty(std::string script) {
     for (const auto& [word, block] :
          {std::pair("CUBE", "box { min [-1, -1, -1] max [1, 1, 1]"),
