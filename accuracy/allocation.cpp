@@ -9,8 +9,8 @@
 namespace lancer::accuracy {
 namespace {
 
-/// What numbers of samples would be best. The sum of kappa c n^-1.5 for a given sum of n is least
-/// where n is proportional to (kappa c)^0.4.
+/// The best numbers of samples n. For a given sum of n, the sum of kappa c n^-1.5 over all pixels
+/// is least where n is proportional to (kappa c)^0.4.
 class Spread {
   public:
     Spread(const PictureSamples& samples, const Prediction& prediction) : samples_(samples) {
@@ -25,7 +25,7 @@ class Spread {
 
     double wanted(std::size_t pixel, double factor) const { return share_[pixel] * factor; }
 
-    /// The error, summed over pixels and channels, and the number of samples.
+    /// The squared error, summed over pixels and channels, and the number of samples.
     struct Sums {
         double error = 0;
         double rays = 0;
@@ -43,9 +43,9 @@ class Spread {
         return sums;
     }
 
-    /// The factor at which `reached(sums)`, which larger factors fulfil, begins to hold.
+    /// The smallest factor for which `reached(sums)` holds; it holds for all larger ones.
     double factor(const std::function<bool(const Sums&)>& reached) const {
-        double low = -60;  // as powers of two: far outside what any picture needs
+        double low = -60;  // exponents of two, far outside of what any picture needs
         double high = 60;
         for (int step = 0; step < 40; ++step) {
             const double middle = (low + high) / 2;

@@ -1,4 +1,4 @@
-// Rays where they help most, until the predicted error is small enough.
+// Puts samples where they lower the predicted error most, until it is small enough.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace lancer::accuracy {
 
-/// A pixel gets no more samples than these.
+/// The largest number of samples of a pixel.
 inline constexpr std::uint32_t most_per_pixel = 1U << 14;
 
 /// The fewest samples per pixel, at best spread, whose predicted mean squared error is

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double two_sided_95 = 1.96;
 
-/// Draws at equal distances along the pixels laid end to end, from a random start.
+/// Systematic sampling: the pixels are intervals of length `chance`, end to end. The draws are
+/// equally spaced points on them, from a random start.
 std::vector<std::size_t> systematic(const std::vector<double>& chance, int draws, double start) {
     std::vector<std::size_t> drawn;
     double sum = 0;
@@ -27,7 +28,8 @@ std::vector<std::size_t> systematic(const std::vector<double>& chance, int draws
     return drawn;
 }
 
-/// Streams 0 are the picture's own; no two audits, draws and nets share one.
+/// The stream of random points of one net. Different audits, draws and nets have different streams.
+/// Stream 0 belongs to the picture.
 std::uint64_t stream_of(std::uint64_t audit, std::size_t draw, unsigned net) {
     return (audit + 1) << 40 | static_cast<std::uint64_t>(draw) << 1 | net;
 }
@@ -38,13 +40,14 @@ struct Net {
     std::uint32_t few;
 };
 
-/// Of the mean of a stratum's terms.
+/// The variance of the mean of a stratum's terms.
 double variance_of_mean(const Stratum& s) {
     TermSums both = s.terms;
     both.add(s.earlier);
     const double mean = s.terms.mean();
     if (mean <= 0 || both.mean() <= 0) return s.terms.variance() / s.terms.count;
-    // The earlier ones may have been taken for the last because they were low.
+    // An audit that decided to stop is more likely to have low terms, and these have a low
+    // variance. So the variance of `terms` alone counts where it is larger.
     const double relative =
         std::max(both.variance() / (both.mean() * both.mean()), s.terms.variance() / (mean * mean));
     return mean * mean * relative / s.terms.count;
@@ -148,7 +151,7 @@ double TermSums::variance() const {
 }
 
 bool TermSums::are_zero() const {
-    constexpr double rounding = 1e-26;  // of sums of colours, squared, with room
+    constexpr double rounding = 1e-26;  // above the squared rounding error of a sum of colours
     return squares <= rounding * rounding * count;
 }
 

@@ -1,12 +1,13 @@
-// How wrong a picture is, measured by rays that never enter it.
+// An audit measures the error of a picture by rays that never enter it.
 //
-// For a pixel of any value m and two independent unbiased estimates y1, y2 of its true value mu,
-// the product (m - y1)(m - y2) has the mean (m - mu)^2: an estimate of the squared error that no
-// choice made on the way to m can spoil. Pixels are drawn with probabilities that follow the
-// predicted errors, and each counts by the inverse of its own.
-// Adaptive sampling spoils estimates from its own samples: Kirk and Arvo, "Unbiased sampling
-// techniques for image synthesis", SIGGRAPH 1991. Systematic draws and their weights: Cochran,
-// "Sampling Techniques", 3rd ed. 1977, ch. 8 and 9A.
+// Let a pixel have the value m and the true value mu, and let y1, y2 be two independent unbiased
+// estimates of mu. The product (m - y1)(m - y2) has the mean (m - mu)^2. It stays unbiased
+// however m was made, because m does not depend on y1 and y2. Estimates from a picture's own
+// samples are biased when sampling is adaptive: Kirk and Arvo, "Unbiased sampling techniques for
+// image synthesis", SIGGRAPH 1991.
+// An audit draws pixels with probabilities that follow the predicted errors, and weights each draw
+// by the inverse of its probability. Systematic sampling and its weights: Cochran, "Sampling
+// Techniques", 3rd ed. 1977, ch. 8 and 9A.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace lancer::accuracy {
 
-/// What the picture is judged by: a renderer and limits that cut nothing which matters.
+/// The picture's error is measured against this renderer with limits that cut nothing visible.
 struct Truth {
     const Renderer& renderer;
     TraceLimits limits;
@@ -39,7 +40,7 @@ struct AuditPlan {
     std::uint32_t points = many_points;
 };
 
-/// A pixel of the whole picture, and its share of something.
+/// A pixel, by its place in the whole picture, with its share of a sum.
 struct PixelShare {
     int x = 0;
     int y = 0;
@@ -47,8 +48,8 @@ struct PixelShare {
 };
 
 struct Audit {
-    /// One a draw; each has the picture's mean squared error (over pixels and channels) as its
-    /// mean.
+    /// One term per draw. The mean of each is the picture's mean squared error, over pixels and
+    /// channels.
     std::vector<double> terms;
     std::vector<double> terms_of_few;  ///< as they are with the first few_points of each estimate
     std::vector<std::size_t> pixels;   ///< that were drawn, index into PictureSamples::pixels()
@@ -57,7 +58,7 @@ struct Audit {
     std::uint64_t points = 0;  ///< of all estimates
     std::uint64_t points_of_few = 0;
 
-    /// Draws of another audit of the same samples, by the same plan but for its number.
+    /// Appends the draws of another audit of the same samples, with the same shares.
     void add(const Audit& other);
 };
 
@@ -65,20 +66,20 @@ struct Audit {
 Audit audit(const Truth& truth, const PictureSamples& samples, std::span<const double> predicted,
             const AuditPlan& plan, const Progress& progress);
 
-/// An error is told when this many equal draws would tell as much as those of an audit ...
+/// An error is told only when an audit has at least this many effective draws ...
 inline constexpr double least_effective_draws = 60;
-/// ... and when they tell the logarithm of a mean square this well: half the interval's width is
-/// then 12 %.
+/// ... and when the logarithm of the mean square has at most this standard error. Half the
+/// interval's width is then 12 % of the RMSE.
 inline constexpr double told_log_error = 0.125;
 
-/// A root mean squared error with its interval of 95 %.
+/// A root mean squared error with its 95 % confidence interval.
 struct ErrorEstimate {
-    double mean_square = 0;     ///< may be negative by chance
+    double mean_square = 0;     ///< unbiased, so it may be negative by chance
     double standard_error = 0;  ///< of mean_square
     double rmse = 0;            ///< 0 when mean_square is not positive
     double low = 0;
     double high = 0;
-    double effective_draws = 0;  ///< as many equal ones would tell as much
+    double effective_draws = 0;  ///< (sum of terms)^2 / (sum of their squares)
     bool all_zero = false;       ///< no draw found a difference beyond rounding
 
     /// Half the interval's width, as a share of rmse.
@@ -87,7 +88,7 @@ struct ErrorEstimate {
     double log_error() const { return mean_square > 0 ? standard_error / mean_square : 0; }
 };
 
-/// Terms of an audit, summed: all that an estimate takes from them.
+/// Sums over the terms of an audit. An estimate needs nothing else of them.
 struct TermSums {
     double count = 0;
     double sum = 0;
@@ -99,27 +100,28 @@ struct TermSums {
     void add(const TermSums& others);
     double mean() const { return sum / count; }
     double variance() const;
-    bool are_zero() const;  ///< but for rounding
+    bool are_zero() const;  ///< up to rounding
 };
 
-/// An audit of some of the picture's pixels, with the earlier one of them.
+/// An audit of some of the picture's pixels, and an earlier audit of the same pixels.
 struct Stratum {
-    double weight = 1;  ///< its share of the pixels
+    double weight = 1;  ///< these pixels' share of the picture's pixels
     TermSums terms;
     TermSums earlier;  ///< may be empty
 };
 
-/// The interval is exp(+-1.96 S/T) around the mean square T with standard error S.
+/// The mean square T of `terms` with standard error S. Its interval is T exp(+-1.96 S/T).
 ErrorEstimate estimate(std::span<const double> terms);
 
-/// The mean square of `terms` with an interval as wide, for their number, as they and `earlier`
-/// ones of the same distribution say together. Where few draws carry the sum, low sums come with
-/// little spread; those of others do not know that these are low.
+/// The mean square of `terms`. The relative variance is that of `terms` and `earlier` together, or
+/// that of `terms` alone if it is larger; `earlier` has the same distribution. Reason: where a few
+/// draws carry most of the sum, a low sum comes with a low variance, and the interval would be too
+/// narrow. The variance of other draws does not depend on whether this sum is low.
 ErrorEstimate estimate(std::span<const double> terms, std::span<const double> earlier);
 
-/// The same for audits that were drawn apart, each from pixels of its own: the mean over all pixels
-/// is that of the strata's, weighted by their numbers of pixels, and as their draws are
-/// independent, so is the variance, by the weights' squares. Cochran, ch. 5.
+/// The same for independent audits, each of pixels of its own (strata). The mean square is the sum
+/// of weight times the stratum's mean square. The draws of different strata are independent, so the
+/// variance is the sum of weight^2 times the stratum's variance. Cochran, ch. 5.
 ErrorEstimate estimate_of_strata(std::span<const Stratum> strata);
 
 /// The pixels that `audit` owes most of its result to, largest first, with their shares of the sum

@@ -7,7 +7,8 @@ namespace {
 
 constexpr double tail = 0.025;
 
-/// How likely at most `most` successes are, for a chance between 0 and 1.
+/// The probability of at most `most` successes, where one success has the probability `chance`,
+/// 0 < chance < 1.
 double at_most(std::uint64_t most, std::uint64_t trials, double chance) {
     const double odds = elementary::log(chance) - elementary::log(1 - chance);
     double log_term = static_cast<double>(trials) * elementary::log(1 - chance);

@@ -6,7 +6,7 @@
 namespace lancer::accuracy {
 namespace {
 
-/// Infinity times nothing is nothing.
+/// share * light, where 0 times infinity is 0.
 double bound(double share, double light) {
     return share > 0 ? share * light : 0;
 }
@@ -18,7 +18,7 @@ CutBound bound_of_cut(const Renderer& renderer, const Scene& scene, const View& 
                       const Progress& progress) {
     CutBound result;
     result.limits = limits;
-    // The camera's ray itself has weight 1.
+    // Then only camera rays exist. They have weight 1, so the limits do not cut them.
     if (!has_branches(scene) && limits.min_contribution <= 1) return result;
     const Color light = most_light(scene, surfaces_beyond);
     const Crop part = view.crop.value_or(Crop{0, 0, view.width, view.height});

@@ -1,4 +1,4 @@
-// How much of a picture's light its limits can have left out: a bound, not an estimate.
+// A proved bound on the light that a picture misses because of its limits.
 #pragma once
 
 #include <functional>
@@ -9,25 +9,26 @@
 
 namespace lancer::accuracy {
 
-/// How far a branch that was cut would have been followed, in surfaces.
+/// The bound assumes that a branch that was cut would go on through this many surfaces.
 inline constexpr int surfaces_beyond = 256;
 
-/// Were each branch that the limits ended followed through surfaces_beyond more surfaces, no
-/// channel of any pixel would change by more than `largest`, nor the picture by an RMSE of more
-/// than `rmse`. In linear light.
+/// If each branch that the limits ended went on through surfaces_beyond more surfaces, no channel
+/// of any pixel would change by more than `largest`, and the RMSE of the change would be at most
+/// `rmse`. Both are in linear light.
 ///
-/// Proof: the light of a ray is a sum over the tree of its branches; a branch counts by the product
-/// of the factors along the way. What is followed is the same with and without limits, so the
-/// difference is the sum over the branches that were cut of factor times light, and no light is
-/// larger than most_light() says. A pixel is the mean of its rays. All factors and lights are
-/// taken as at least 0; rounding is not counted.
+/// Proof: the light of a ray is a sum over the tree of its branches. Each branch is weighted by the
+/// product of the factors on the path to it. The branches that are followed are the same with and
+/// without limits. So the difference is the sum, over the branches that were cut, of factor times
+/// light, and no light exceeds most_light(). A pixel is the mean of its rays. All factors and
+/// lights are assumed to be at least 0; rounding is not included.
 struct CutBound {
     double largest = 0;
     double rmse = 0;
     TraceLimits limits;
 };
 
-/// The points of the pixel at column x, row y of the whole picture, as many in each.
+/// The sample points of the pixel at column x, row y of the whole picture; the same number in each
+/// pixel.
 using PointsOfPixel = std::function<std::vector<PicturePoint>(int x, int y)>;
 
 /// \param limits  as in Renderer::trace()

@@ -47,8 +47,8 @@ std::vector<double> DrawGuesses::mixed(const DrawShares& shares) const {
 }
 
 DrawShares best_shares(std::span<const SeenDraw> draws) {
-    // The second moment of a draw is estimated by the mean of found^2 / (chance * mixture). It is
-    // convex in the shares; each step multiplies them by the square root of its slope.
+    // The mean of found^2 / (chance * mixture) estimates the second moment of a draw. It is convex
+    // in the shares. Each step multiplies a share by the square root of the negative derivative.
     DrawShares free;
     free.fill(1.0 / static_cast<double>(guesses));
     DrawShares shares = free;

@@ -9,11 +9,11 @@
 namespace lancer::accuracy {
 namespace {
 
-constexpr std::size_t most_pixels = 3;           // that are named
-constexpr std::uint64_t most_draws = 1'000'000;  // of a part's audit; far more than any takes
+constexpr std::size_t most_pixels = 3;           // listed pixels
+constexpr std::uint64_t most_draws = 1'000'000;  // of a part's audit; far more than any has
 constexpr std::uint64_t most_pixels_of_kind = std::uint64_t(1) << 40;
 
-/// Goes through all numbers of the sums in one order, to write them or to read them.
+/// Writer and Reader visit all numbers of the sums in the same order.
 class Writer {
   public:
     template <class Number>
@@ -130,7 +130,7 @@ bool is_sound(const KindCount& count) {
            count.undecided <= count.draws - count.off;
 }
 
-/// That a report can be made of them.
+/// Whether a report can be made of them.
 bool is_sound(const ErrorSums& s) {
     for (const double number :
          {s.pixels, s.asked, s.deciding.count, s.deciding.sum, s.deciding.squares, s.printed.count,

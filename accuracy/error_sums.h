@@ -1,5 +1,5 @@
-// What the report on a picture's error rests on, summed: that of a picture in parts is told from
-// the sums of its parts, which their files keep.
+// The sums from which the report on a picture's error is made. The file of each part of a picture
+// keeps them, so that the report on the whole can be made from the parts.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,23 @@
 
 namespace lancer::accuracy {
 
-/// The same where a share of pixels off was asked for.
+/// The sums where a share of pixels was asked for.
 struct OffSums {
     double asked = 0;      ///< share of the pixels
-    double steps = 0;      ///< of 8 bits
-    double predicted = 0;  ///< pixels, from the picture's own samples
-    OffCount printed;      ///< of the audit that is printed
+    double steps = 0;      ///< threshold in steps of 8 bits
+    double predicted = 0;  ///< number of pixels, predicted from the picture's own samples
+    OffCount printed;      ///< from the audit that is printed
 };
 
 struct ErrorSums {
     double pixels = 0;
     double asked = 0;         ///< as in ErrorReport
     bool audited = false;     ///< there are draws, unless rare_light forbade them
-    bool rare_light = false;  ///< specks were met that forbid to tell of the whole picture
-    TermSums deciding;        ///< of the last audit that decided
-    TermSums printed;         ///< of the one that is printed
+    bool rare_light = false;  ///< the specks that were met forbid a told error of the whole picture
+    TermSums deciding;        ///< of the last deciding audit
+    TermSums printed;         ///< of the audit that is printed
     double predicted = 0;     ///< squared error, summed over pixels and channels
-    double scores = 0;        ///< the same for one sample a pixel
+    double scores = 0;        ///< the same for one sample per pixel
     Specks specks;
     std::vector<PixelShare> dominant;  ///< as in ErrorReport
     RayCounts picture;
@@ -38,9 +38,10 @@ struct ErrorSums {
     std::optional<OffSums> off;
 };
 
-/// One line without a line feed, with every bit of the numbers.
+/// One line without a line feed. It keeps every bit of the numbers.
 std::string to_text(const ErrorSums& sums);
-/// What to_text() told; nothing when it did not.
+/// Reads a line of to_text(). Empty when the text is not such a line or no report can be made of
+/// it.
 std::optional<ErrorSums> error_sums_of(std::string_view text);
 
 }  // namespace lancer::accuracy

@@ -13,19 +13,20 @@
 namespace lancer::accuracy {
 namespace {
 
-constexpr double sampling_share = 0.9;  // of the squared error; the rest is for limits
-constexpr std::uint32_t base = 2;       // samples a pixel: one alone says nothing of its error
-// Where so few rays a pixel will do, most pixels need one, and what lies around them says so. But
-// in a small picture single samples may all miss what is rare.
+constexpr double sampling_share = 0.9;  // of the squared error; the rest is for the limits' cuts
+constexpr std::uint32_t base = 2;       // samples per pixel; a single one has no variance
+// If so few rays per pixel are enough, most pixels need a single sample, and their neighbours show
+// it. In a small picture single samples may all miss a rare feature, so it begins with two.
 constexpr double few_rays = 1.5;
 constexpr std::size_t many_pixels = std::size_t(1) << 16;
-constexpr double first_aim = 4;  // times the goal's square: where the first audit is taken
+constexpr double first_aim = 4;  // the first audit is taken at this multiple of the goal's square
 constexpr int first_draws = 400;
 constexpr int most_rounds = 6;
 constexpr double most_log_error = 0.3;
-constexpr double no_better = 0.8;  // of a mean square, after a round that should have mended more
-// In standard errors of log T. An audit that decides must say that its true value lies so far
-// below the goal that the one that is printed will say so too; the aim is a little further off.
+constexpr double no_better = 0.8;  // of the last mean square: a round that lowers it less failed
+// Margins in standard errors of log T, where T is a mean square. A deciding audit must lie so far
+// below the goal that the printed audit will very likely lie below it too. Refining aims a little
+// lower still.
 constexpr double deciding_margin = 3;
 constexpr double aimed_margin = 4.3;
 constexpr double sure_effective_draws = 2 * least_effective_draws;
@@ -78,7 +79,7 @@ class Search {
                          goal_.rows.value_or(PictureRows{}));
     }
 
-    /// What the user has fixed may cost more than all that is asked for.
+    /// Throws if the settings that the user fixed cause a larger error than the one asked for.
     void check_settings(const Renderer& renderer) {
         if (!goal_.leaves_out && !goal_.fixed.max_depth && !goal_.fixed.min_contribution) return;
         const ErrorEstimate cut =
@@ -112,8 +113,8 @@ class Search {
             goal_.max_error, goal_.most_rays_per_pixel, goal_.rows ? "part" : "scene", reachable));
     }
 
-    /// False when more are needed in each pixel: for the goal, or because single samples say too
-    /// little of what stands alone.
+    /// Takes one sample per pixel. False when every pixel needs more: for the goal, or because
+    /// single samples differ from their neighbours by too much.
     bool begin_with_one(double mean_square) {
         samples_->raise(std::vector<std::uint32_t>(samples_->size(), 1), pace());
         rare_.emplace(*samples_);
@@ -136,8 +137,9 @@ class Search {
         return a;
     }
 
-    /// Whether what is to be decided is: an error above the goal, or one below it. To end at the
-    /// latter takes more draws that count, or audits that met too little would end soonest.
+    /// Whether the audit decides that the error is above the goal, or below it. The second needs
+    /// more effective draws: otherwise audits that met too little of the error would end the
+    /// search.
     bool is_decided(const ErrorEstimate& e) const {
         if (e.effective_draws < least_effective_draws || e.mean_square <= 0) return false;
         const double above = e.mean_square * elementary::exp(-deciding_margin * e.log_error());
@@ -192,7 +194,7 @@ class Search {
         prediction_.kappa *= std::clamp((e.mean_square - bias_) / predicted, 0.2, 4.0);
     }
 
-    /// Of the logarithm of what an audit of so many draws will find, from one of others.
+    /// The expected log_error() of an audit with `of_draws` draws, from an audit with `draws`.
     static double log_error(const ErrorEstimate& e, int draws, int of_draws) {
         if (e.mean_square <= 0) return most_log_error;
         return std::min(most_log_error, e.log_error() * std::sqrt(double(draws) / of_draws));
@@ -236,7 +238,7 @@ class Search {
         draws_ = 1000;
         double expected_error = 0;
         const bool is_settled = is_decided(e) && is_below(e, deciding_margin);
-        if (!e.all_zero) {  // which would correct nothing
+        if (!e.all_zero) {  // otherwise there is nothing to correct by
             correct(e);
             // An audit that is the last to decide must have drawn as the printed one will.
             double rays_of_first = static_cast<double>(report_.deciding.rays() - before);
@@ -253,7 +255,7 @@ class Search {
             expected_error = log_error(known, first_draws, draws_);
         }
         if (is_settled ? misses_rare_light() : !decide_by_rounds(e, expected_error)) return;
-        // As many as a told interval takes, by what the last audit says.
+        // The draws that a told interval needs, estimated from the last audit.
         const double needed =
             std::max<double>(draws_, judged_draws() * square(e.log_error() / told_log_error));
         report_.effective_draws = e.effective_draws;
@@ -263,8 +265,8 @@ class Search {
         if (report_.is_told) draws_ = static_cast<int>(needed);
     }
 
-    /// Refines, and audits, until one says that it is enough; that is `e` then. False when an error
-    /// cannot be told.
+    /// Refines and audits in turn until an audit lies below the goal. `e` is then that audit's
+    /// estimate. False when an error cannot be told.
     bool decide_by_rounds(ErrorEstimate& e, double expected_error) {
         double earlier = 0;  // what the last round found
         for (int round = 0; round < most_rounds; ++round) {
@@ -274,11 +276,11 @@ class Search {
             e = judged();
             expected_error = log_error(e, judged_draws(), draws_);
             if (!refined || is_below(e, deciding_margin)) break;
-            // A picture that begins anew in the last round would stay as it begins.
+            // After a new beginning in the last round, nothing would refine the picture any more.
             const bool may_begin_anew = round > 0 && round + 1 < most_rounds;
             if (may_begin_anew && e.mean_square > no_better * earlier && cuts_too_much()) {
                 earlier = 0;
-                expected_error = told_log_error;  // few pixels carried what was found up to now
+                expected_error = told_log_error;  // earlier audits were dominated by few pixels
                 continue;
             }
             earlier = e.mean_square;
@@ -288,8 +290,8 @@ class Search {
         return true;
     }
 
-    /// More samples brought nothing: the limits may cut what only an audit has met. Begins anew
-    /// with the truth's. False when they are those already.
+    /// Called when more samples did not lower the error: the limits may cut light that only an
+    /// audit has met. If they do, begins anew with the truth's limits and returns true.
     bool cuts_too_much() {
         const TraceLimits whole = whole_limits(truth_, goal_.fixed);
         if (whole.max_depth == report_.limits.max_depth &&
@@ -306,7 +308,7 @@ class Search {
         return true;
     }
 
-    /// Single rays met light that others must have missed: no audit can tell how much.
+    /// Whether the picture missed rare light, so that no audit can tell its error.
     bool misses_rare_light() {
         sums_.specks = rare_->missed(*samples_);
         const Crop whole = view_.crop.value_or(Crop{0, 0, view_.width, view_.height});
@@ -322,8 +324,8 @@ class Search {
         return e.mean_square * elementary::exp(margin * e.log_error()) <= square(goal_.max_error);
     }
 
-    /// Where nothing can be told, nothing is printed, and no rays are spent on it. A part's draws
-    /// may tell together with those of others.
+    /// The audit that is printed. It is not taken where the error cannot be told. A part is the
+    /// exception: its draws may be enough together with those of the other parts.
     void print() {
         report_.audited = true;
         const bool found_none = !report_.rare_light && estimate(judge_.terms).all_zero;

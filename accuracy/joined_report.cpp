@@ -40,8 +40,9 @@ Specks all_specks(std::span<const ErrorSums> parts) {
     return all;
 }
 
-/// The pixels that the audits owe most of their result to. A part's share counts by what its terms
-/// add to the sum of squared ones, each a stratum's weight over the number of its draws.
+/// The pixels that contribute most to the audits' result. A part's shares are weighted by the
+/// part's contribution to the sum of squared terms, where each term has the stratum's weight
+/// divided by its number of draws.
 std::vector<PixelShare> all_dominant(std::span<const ErrorSums> parts, bool printed) {
     const double pixels = pixels_of(parts);
     std::vector<PixelShare> dominant;
@@ -50,7 +51,7 @@ std::vector<PixelShare> all_dominant(std::span<const ErrorSums> parts, bool prin
         const TermSums& sums = printed ? part.printed : part.deciding;
         const double weight = part.pixels / pixels / sums.count;
         total += weight * weight * sums.squares;
-        if (part.deciding.are_zero() != printed) continue;  // its pixels are those of the other one
+        if (part.deciding.are_zero() != printed) continue;  // its pixels are of the other audit
         for (PixelShare p : part.dominant) {
             p.share *= weight * weight * sums.squares;
             dominant.push_back(p);
@@ -60,7 +61,8 @@ std::vector<PixelShare> all_dominant(std::span<const ErrorSums> parts, bool prin
     return dominant;
 }
 
-/// Of the logarithm of the mean square that the printed audits find, by those that decided.
+/// The expected standard error of the logarithm of the printed audits' mean square, from the
+/// deciding audits.
 double expected_log_error(std::span<const ErrorSums> parts, double mean_square) {
     const double pixels = pixels_of(parts);
     double variance = 0;
@@ -71,7 +73,7 @@ double expected_log_error(std::span<const ErrorSums> parts, double mean_square) 
     return std::sqrt(variance) / mean_square;
 }
 
-/// The predicted RMSE of the picture from the parts in which no draw found a difference.
+/// The contribution to the picture's predicted RMSE of the parts where no draw found a difference.
 double unfound(std::span<const ErrorSums> parts) {
     double sum = 0;
     for (const ErrorSums& part : parts)
@@ -97,7 +99,7 @@ void tell_error(ErrorReport& report, std::span<const ErrorSums> parts) {
     }
     const ErrorEstimate judged = estimate_of_strata(deciding);
     report.effective_draws = judged.effective_draws;
-    constexpr double rounding = 1.001;  // of a number of draws
+    constexpr double rounding = 1.001;  // numbers of draws are rounded
     report.is_told = judged.effective_draws >= least_effective_draws && judged.mean_square > 0 &&
                      expected_log_error(parts, judged.mean_square) <= told_log_error * rounding &&
                      unfound(parts) <= nearly_none * report.asked;
@@ -106,8 +108,9 @@ void tell_error(ErrorReport& report, std::span<const ErrorSums> parts) {
     report.dominant = all_dominant(parts, judged.all_zero);
 }
 
-/// A kind's weights with which the mean of the draws' chances stands for that of the pixels: where
-/// a part has few draws for its pixels, it may have more of those that are off.
+/// Bounds on a kind's weight w: its pixels off, as a share of the picture, are w times the mean
+/// probability of its draws. w is not known exactly when parts have different numbers of draws per
+/// pixel, because most pixels off may lie in a part with few.
 struct Weights {
     double least = HUGE_VAL;
     double most = 0;
@@ -127,8 +130,8 @@ Weights weights_of(std::span<const ErrorSums> parts, const KindCount OffCount::*
     return weights;
 }
 
-/// The parts' draws are nearly as many for each pixel of a kind, and those that are off are counted
-/// together.
+/// The parts have nearly equal numbers of draws per pixel of a kind. So the draws that are off are
+/// counted over all parts.
 void tell_off(OffReport& off, std::span<const ErrorSums> parts) {
     const double pixels = pixels_of(parts);
     OffCount all;

@@ -1,8 +1,8 @@
-// What the parts of a picture together say of its error.
+// The report on the error of a whole picture, from its parts.
 //
-// Each part was made for the same error and drew the pixels of its audits from its own, apart from
-// all other parts: they are the strata of one audit of the whole. A draw of a part stands for the
-// part's pixels, so the parts' means are weighted by their numbers of pixels.
+// All parts were made for the same error, and each drew the pixels of its audits independently
+// from its own pixels. So the parts are the strata of one audit of the whole: their means are
+// weighted by their numbers of pixels.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace lancer::accuracy {
 
-/// The report on the picture that these parts are, one at least, all of them made for one goal. Of
-/// a single part that is the whole it is what the whole tells of itself.
+/// The report on the picture that consists of these parts. There is at least one, and all were made
+/// for the same goal. For a single part that is the whole picture, it is that picture's own report.
 ErrorReport joined_report(std::span<const ErrorSums> parts);
 
-/// What the picture was predicted to be off by, and what its rays cost, from the sums.
+/// Fills in the predicted error and the numbers of rays, from the sums.
 void tell_costs(ErrorReport& report, std::span<const ErrorSums> parts);
 
 }  // namespace lancer::accuracy

@@ -19,7 +19,7 @@ Color largest_stop(const Gradient& gradient) {
     return most;
 }
 
-/// Of a surface's colour, whatever texture it wears.
+/// The largest colour of a texture, per channel.
 class LargestColor {
   public:
     explicit LargestColor(const Scene& scene) : scene_(scene) {}
@@ -54,17 +54,17 @@ bool has_alpha(const Scene& scene, const Texture& texture) {
                                 image->wrap == ImageTexture::Wrap::once);
 }
 
-/// The largest of what a light sends anywhere.
+/// The largest light that a lamp sends to any point.
 Color brightest(const Light& light) {
     const std::optional<Fade>* fade = facts_of(light.kind).fade;
     const bool fades = fade != nullptr && fade->has_value();
     return absolute(light.color) * (fades ? 2.0 : 1.0);  // 2 / (1 + (d / distance)^power)
 }
 
-/// What a material adds to a ray's light, and what it does to the light from beyond.
+/// Bounds for one material.
 struct Bounds {
-    Color sends{0};   ///< ambient, emission, lights
-    Color passes{0};  ///< the factors of the mirrored and of the transmitted light, together
+    Color sends{0};   ///< the light it sends by itself: ambient, emission, lit by lamps
+    Color passes{0};  ///< the sum of the factors of mirrored and transmitted light
 };
 
 Bounds bounds_of(const Scene& scene, const Material& m) {
@@ -88,7 +88,8 @@ Bounds bounds_of(const Scene& scene, const Material& m) {
         const double glossy = std::max(m.phong + m.blinn, m.phong_transmission);
         bounds.sends += brightest(light) * (opacity * color * matt + tint * glossy);
     }
-    // With Fresnel's share F of the reflection r, r F + T (1 - r F) is linear in F.
+    // With Fresnel reflectance F and reflection r, the factor r F + T (1 - r F) is linear in F, so
+    // its largest value is at F = 0 or F = 1.
     bounds.passes = m.fresnel
                         ? larger(transmittance,
                                  m.reflection + transmittance * absolute(Color(1) - m.reflection))

@@ -10,16 +10,16 @@
 namespace lancer::accuracy {
 namespace {
 
-constexpr std::uint64_t limits_stream = 1;  // of a pixel that is none
+constexpr std::uint64_t limits_stream = 1;  // for keys that belong to no pixel
 constexpr std::uint64_t bias_stream = 2;
-constexpr std::uint64_t cut_stream = std::uint64_t(3) << 62;  // of a pixel; an audit's are lower
+constexpr std::uint64_t cut_stream = std::uint64_t(3) << 62;  // above the streams of audits
 
 Crop part_of(const View& view) {
     return view.crop.value_or(Crop{0, 0, view.width, view.height});
 }
 
-/// Of points spread evenly over the picture those from `begin` to `end`, in the order in which a
-/// picture's pixels stand.
+/// Points `begin` to `end` of a sequence that is spread evenly over the picture. They are sorted by
+/// bands of 16 rows, which keeps neighbouring rays together.
 std::vector<PicturePoint> spread_points(const View& view, std::uint32_t begin, std::uint32_t end,
                                         std::uint64_t seed) {
     const Crop part = part_of(view);
@@ -36,8 +36,8 @@ std::vector<PicturePoint> spread_points(const View& view, std::uint32_t begin, s
     return points;
 }
 
-/// What limits cut at points spread over the picture. An eighth of the points rule out those that
-/// cut too much there.
+/// Measures what limits cut, at points spread over the picture. An eighth of the points is tried
+/// first, to rule out limits that cut far too much.
 class Cuts {
   public:
     Cuts(const Truth& truth, const View& view, std::uint32_t count, std::uint64_t seed,
@@ -56,7 +56,8 @@ class Cuts {
         return counted.reflected + counted.transmitted > 0;
     }
 
-    /// Whether the mean squared difference over channels is at most this, as far as can be told.
+    /// Whether the mean squared difference, over channels, is at most `mean_square`. It must stay
+    /// so with two standard errors added.
     bool are_at_most(double mean_square, const TraceLimits& limits) {
         Difference cut;
         add(cut, parts_[0], limits);
@@ -124,8 +125,8 @@ TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLim
     Cuts cuts(truth, view, count, seed, rays);
     if (!cuts.begin(best)) return best;
 
-    // From the coarsest on: those that will not do are found out soon, and one that will is asked
-    // of all points.
+    // The coarsest limits come first. Most limits that cut too much fail at the first eighth of the
+    // points; only the others need all points.
     if (!fixed.max_depth) {
         for (const int depth : {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64, 128, 256}) {
             if (!cuts.are_at_most(mean_square / 2, {depth, best.min_contribution})) continue;

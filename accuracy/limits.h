@@ -1,4 +1,4 @@
-// How far rays must be followed: as far as the error that is asked for can tell.
+// The cheapest limits of recursion that cut too little to matter for the error asked for.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,25 @@
 
 namespace lancer::accuracy {
 
-/// What the command line has decided.
+/// Limits that the command line fixes.
 struct FixedLimits {
     std::optional<int> max_depth;
     std::optional<double> min_contribution;
 };
 
-/// TraceLimits that cut nothing which an RMSE of `error` could tell: a branch of a hundredth of it,
-/// or what lies deeper than the quality `exact` goes.
+/// Limits of a truth for measuring an RMSE of `error`. They cut only branches of a weight below a
+/// hundredth of it, and branches deeper than the depth of the quality `exact`.
 TraceLimits limits_of_truth(double error);
 
-/// The truth's limits, but for what is fixed: nothing else is cut.
+/// The truth's limits, except for those that are fixed.
 TraceLimits whole_limits(const Truth& truth, const FixedLimits& fixed);
 
-/// The limits with the fewest rays whose mean squared difference from the truth is at most
-/// `mean_square`, as far as points spread over the picture tell. Adds to `rays`.
+/// The coarsest limits whose mean squared difference from the truth is at most `mean_square`, as
+/// estimated at points spread over the picture. Adds to `rays`.
 TraceLimits cheapest_limits(const Truth& truth, const View& view, const FixedLimits& fixed,
                             double mean_square, std::uint64_t seed, RayCounts& rays);
 
-/// The mean squared error, over pixels, that remains however many samples `renderer` takes.
+/// The mean squared error, over pixels, that remains with any number of samples of `renderer`.
 ErrorEstimate bias(const Renderer& renderer, const TraceLimits& limits, const Truth& truth,
                    const View& view, std::uint64_t seed, RayCounts& rays);
 

@@ -11,20 +11,21 @@ namespace lancer::accuracy {
 namespace {
 
 constexpr double from_neighbors = 0.05;  // of the mean risk around a pixel
-constexpr int most_doublings = 8;  // looked ahead: the first may bring nothing, and the third much
+constexpr int most_doublings = 8;        // looked ahead: the first may gain nothing, the third much
 
-/// How likely a pixel of this squared error, summed over channels, is off. A grey error spreads
-/// over three channels, a coloured one may lie in one: two stands for both.
+/// The probability that a pixel with this mean squared error, summed over channels, is off. A grey
+/// error lies in three channels and a coloured one may lie in a single one. The formula is that of
+/// two channels: the length of a normal error of two components is Rayleigh distributed.
 double chance_off(double error, double threshold) {
     if (error <= 0) return 0;
     return elementary::exp(-threshold * threshold / error);
 }
 
-/// The next step for a pixel that mends most a ray.
+/// An increase of one pixel's samples: the one that gains most per ray.
 struct Step {
     std::size_t pixel = 0;
-    std::uint32_t count = 0;  ///< samples after it
-    double gain = 0;
+    std::uint32_t count = 0;  ///< samples after the step
+    double gain = 0;          ///< decrease of the probability that the pixel is off
     double per_ray = 0;
 
     bool operator<(const Step& other) const {
@@ -112,7 +113,7 @@ bool refine_off(PictureSamples& samples, Prediction& prediction, double threshol
         OffAllocation wanted =
             allocation_for(samples, prediction, threshold, share, static_cast<double>(most_rays));
         if (wanted.share > share) return false;
-        // One doubling at a time: the samples that it brings may say that the next is not needed.
+        // One doubling at a time: its samples may show that the next one is not needed.
         for (std::size_t i = 0; i < wanted.counts.size(); ++i)
             wanted.counts[i] = std::min(wanted.counts[i], 2 * samples.pixels()[i].count);
         samples.raise(wanted.counts, progress);

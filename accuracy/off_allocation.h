@@ -1,4 +1,5 @@
-// Rays where they bring most pixels near their true value, until few enough are predicted off.
+// Puts samples where they bring most pixels near their true value, until the predicted share of
+// pixels off is small enough.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +14,20 @@ namespace lancer::accuracy {
 /// taken as normal, with the variance that Prediction guesses.
 double predicted_off(const PictureSamples& samples, const Prediction& prediction, double threshold);
 
-/// The pixels in two kinds. Where neighbours may be off, what is predicted of a pixel alone is not
-/// enough to call it calm.
+/// The pixels in two kinds. A pixel's risk is its predicted probability to be off, raised where its
+/// neighbours may be off.
 struct PixelKinds {
-    std::vector<std::size_t> calm;   ///< as many as hold at most so large a predicted share
+    std::vector<std::size_t> calm;   ///< the largest set of least risk within `calm_share`
     std::vector<std::size_t> risky;  ///< the others
 };
 PixelKinds kinds_of(const PictureSamples& samples, const Prediction& prediction, double threshold,
                     double calm_share);
 
-/// Numbers of samples, and what they are predicted to bring.
+/// Numbers of samples, and the predicted result.
 struct OffAllocation {
-    std::vector<std::uint32_t> counts;  ///< each pixel's, at least those that it has
-    double share = 0;                   ///< of pixels off
-    double rays = 0;                    ///< of all counts
+    std::vector<std::uint32_t> counts;  ///< per pixel, at least the samples that it has
+    double share = 0;                   ///< predicted share of pixels off
+    double rays = 0;                    ///< sum of counts
 };
 
 /// About the fewest samples with a share of at most `share`, or the smallest share with
@@ -34,7 +35,7 @@ struct OffAllocation {
 OffAllocation allocation_for(const PictureSamples& samples, const Prediction& prediction,
                              double threshold, double share, double most_rays);
 
-/// Doubles the samples of pixels, looks again, and goes on until the predicted share is at most
+/// Doubles the samples of some pixels and predicts anew, until the predicted share is at most
 /// `share`. False when that would take more than `most_rays`. `prediction` is left scored.
 bool refine_off(PictureSamples& samples, Prediction& prediction, double threshold, double share,
                 std::uint64_t most_rays, const Progress& progress);

@@ -11,17 +11,17 @@ namespace lancer::accuracy {
 namespace {
 
 constexpr std::size_t nets = 8;
-constexpr std::uint32_t fewest_points = 16;  // of a net: with 4, thin wires are missed
+constexpr std::uint32_t fewest_points = 16;  // per net; nets of 4 miss thin wires
 constexpr std::uint32_t most_first_points = 64;
 constexpr std::uint32_t most_points = 512;
 constexpr std::uint32_t left_out_points = 4;
-// Student's t for 7 degrees of freedom: beyond it lies one pixel in 200 of those that need more.
+// Student's t for 7 degrees of freedom, two-sided, with a probability of 1/200 beyond it.
 constexpr double sure = 4.03;
-/// Beside the audits' of errors and the measurements of limits, see limits.cpp.
+/// Different from the streams of error audits and of limits (limits.cpp).
 constexpr std::uint64_t stream = std::uint64_t(1) << 63 | std::uint64_t(1) << 61;
 
-/// A drawn pixel, and what its nets have brought. Drawn twice, it is looked at once: the same rays
-/// say the same of it.
+/// A drawn pixel and the sums of its nets. A pixel that is drawn several times is traced once,
+/// because the same rays would give the same result.
 struct Draw {
     std::size_t pixel;
     KindCount* kind;
@@ -108,8 +108,9 @@ std::vector<Draw> drawn(const PictureSamples& samples, const OffPlan& plan, OffC
     return pixels;
 }
 
-/// So many points a net that what all miss puts no pixel off: light of 1 in less than 1/n of it
-/// adds less than 1/n.
+/// Enough points per net that a feature which all nets miss does not put a pixel off: with n points
+/// in all, such a feature covers less than about 1/n of the pixel, and light of 1 there adds less
+/// than 1/n.
 std::uint32_t first_points(double threshold) {
     std::uint32_t points = fewest_points;
     while (points < most_first_points && double(nets) * points * threshold < 1) points *= 2;

@@ -12,18 +12,21 @@
 namespace lancer::accuracy {
 namespace {
 
-constexpr std::uint32_t base = 2;  // samples a pixel: one alone says nothing of its error
+constexpr std::uint32_t base = 2;  // samples per pixel; a single one has no variance
 constexpr int most_rounds = 6;
-constexpr double draws_by_share = 12;  // of an audit of all: about as many of its draws may be off
+// Draws of an audit that treats all pixels alike, times the share: about the number of draws off
+// if the share is reached.
+constexpr double draws_by_share = 12;
 constexpr int fewest_draws = 400;
-// Of these the risky pixels get a few more. Of the calm ones hardly any is off, and to say that
-// they hold less than the share takes 3.7 draws / share; half as many do to decide.
+// Factors on these draws. Risky pixels get a few more. Of the calm pixels hardly any is off, and
+// 3.7 / share draws are enough to show that they hold less than the share. A deciding audit takes
+// half as many of them.
 constexpr double risky_draws = 13.0 / 12;
 constexpr double calm_draws = 0.5;
 constexpr double calm_draws_to_decide = 0.25;
-constexpr double calm_share = 0.003;  // of the share asked for that may be predicted for calm ones
-constexpr double no_better = 0.8;     // of a share, after a round that should have mended more
-constexpr double likely = 0.977;      // that the printed audit says what the deciding one promises
+constexpr double calm_share = 0.003;  // predicted share of calm pixels off, of the share asked for
+constexpr double no_better = 0.8;     // of the last share: a round that lowers it less failed
+constexpr double likely = 0.977;  // probability that the printed audit confirms the deciding one
 
 class Search {
   public:
@@ -34,8 +37,8 @@ class Search {
         report_.off.emplace();
         report_.off->asked = goal.share;
         report_.off->steps = goal.steps;
-        // By Chebyshev's inequality no more than a tenth of the share is off by half the threshold
-        // where the mean square over channels is this.
+        // By Chebyshev's inequality: with this mean square over channels, the cuts put at most a
+        // tenth of the share off by more than half the threshold.
         const double cut = goal.share / 10 * goal.threshold() * goal.threshold() / 12;
         report_.limits = cheapest_limits(truth, view, goal.fixed, cut, goal.seed, report_.deciding);
         take_samples();
@@ -77,14 +80,14 @@ class Search {
                          goal_.rows.value_or(PictureRows{}));
     }
 
-    /// Parts of different sizes draw as many for each pixel.
+    /// All parts have the same number of draws per pixel, whatever their sizes.
     void share_draws() {
         if (!goal_.rows) return;
         const double rows = view_.crop ? view_.crop->height : view_.height;
         draws_ = std::ceil(draws_ * goal_.rows->parts * (samples_->height() / rows));
     }
 
-    /// What the user has fixed may put more pixels off than all that are allowed.
+    /// Throws if the settings that the user fixed put more pixels off than the goal allows.
     void check_settings() {
         if (!goal_.leaves_out && !goal_.fixed.max_depth && !goal_.fixed.min_contribution) return;
         OffPlan plan;
@@ -124,7 +127,7 @@ class Search {
                           static_cast<std::uint64_t>(most_rays_), pace());
     }
 
-    /// `calm` is a share of the draws that an audit of all pixels alike would take.
+    /// An audit. `calm` is a factor on the draws from calm pixels.
     OffCount counted(double calm, RayCounts& rays) {
         PixelKinds kinds =
             kinds_of(*samples_, prediction_, goal_.threshold(), calm_share * goal_.share);
@@ -138,7 +141,7 @@ class Search {
         plan.risky = std::move(kinds.risky);
         plan.calm_draws = draws(is_calm_ ? calm : 1, plan.calm.size());
         plan.risky_draws = draws(risky_draws, plan.risky.size());
-        // A calm draw stands for those that were left out, at least.
+        // A calm draw counts at least for the calm draws that the factor left out.
         plan.step = is_calm_ ? std::max(most_off(plan, pixels) + 1,
                                         static_cast<std::uint64_t>(std::ceil(1 / calm)))
                              : 1;
@@ -150,13 +153,14 @@ class Search {
         return count;
     }
 
-    /// As many draws of risky pixels may be off while no calm one is.
+    /// The largest number of risky draws off that still shows the goal reached, if no calm draw is
+    /// off.
     std::uint64_t most_off(const OffPlan& plan, double pixels) const {
         const TwoKinds kinds{{static_cast<double>(plan.calm.size()) / pixels, plan.calm_draws},
                              {static_cast<double>(plan.risky.size()) / pixels, plan.risky_draws},
                              plan.risky_draws + 1,
                              true};
-        // Few mostly, and many cost much to try: upwards.
+        // The result is mostly small, and large numbers take long to try: the search goes upwards.
         std::uint64_t most = 0;
         std::uint64_t above = 1;
         while (above < plan.risky_draws && upper_share(kinds, above) <= goal_.share) {
@@ -171,7 +175,7 @@ class Search {
         return most;
     }
 
-    /// So many of all draws may be off when an audit is to say that the goal is held.
+    /// The largest number of draws off, of all draws, that still shows the goal reached.
     std::uint64_t most_off() const {
         const auto draws = static_cast<std::uint64_t>(draws_);
         std::uint64_t most = 0;
@@ -179,7 +183,7 @@ class Search {
         return most;
     }
 
-    /// What was predicted takes the share that was found.
+    /// Sets kappa so that the predicted share is the share that was found.
     void correct(double found) {
         const double kappa = prediction_.kappa;
         double low = 0.3 * kappa;
@@ -195,13 +199,13 @@ class Search {
         const auto draws = static_cast<std::uint64_t>(draws_);
         const double aim = chance_of_at_most(most_off(), draws, likely);
         const double allowed = std::max(1.0, std::floor(aim * draws_));
-        double earlier = 0;  // share that the last round found
+        double earlier = 0;  // the share that the last round found
         for (int round = 0; round < most_rounds; ++round) {
             const bool refined = refine_to(aim);
             const OffCount count = counted(calm_draws_to_decide, report_.deciding);
             if (!refined || static_cast<double>(count.most()) <= allowed) return;
             const double found = share_of(count);
-            // A picture that begins anew in the last round would stay as it begins.
+            // After a new beginning in the last round, nothing would refine the picture any more.
             const bool may_begin_anew = round > 0 && round + 1 < most_rounds;
             if (may_begin_anew && found > no_better * earlier && goes_deeper()) {
                 earlier = 0;
@@ -212,8 +216,8 @@ class Search {
         }
     }
 
-    /// More samples brought little: limits may cut what only an audit has met. Begins anew with the
-    /// truth's. False when they are those already.
+    /// Called when more samples hardly lowered the share: the limits may cut light that only an
+    /// audit has met. Begins anew with the truth's limits. False when these are in use already.
     bool goes_deeper() {
         const TraceLimits whole = whole_limits(truth_, goal_.fixed);
         if (whole.max_depth == report_.limits.max_depth &&
@@ -241,9 +245,9 @@ class Search {
     std::optional<PictureSamples> samples_;
     Prediction prediction_;
     double most_rays_ = 0;
-    double expected_ = 0;  ///< samples of the whole picture, for progress
+    double expected_ = 0;  ///< number of samples of the finished picture, for progress
     std::uint64_t audits_ = 0;
-    double draws_ = 0;     ///< of an audit that would take all pixels alike
+    double draws_ = 0;     ///< of an audit that treats all pixels alike
     bool is_calm_ = true;  ///< no audit has met a calm pixel that is off
     OffCount printed_;
 };

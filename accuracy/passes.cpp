@@ -14,10 +14,11 @@ constexpr int parts = 8;  // of the second sample
 constexpr double shown = 1.0 / 65535 / 4;
 constexpr int deciding_draws = 500;
 constexpr int printed_draws = 1000;
-// Of the audit that decides: twice as many draws are then carried by 60, with a half-width of 20 %.
+// Thresholds for the deciding audit. The printed audit has twice as many draws: it then has about
+// 60 effective ones and an interval with a half-width of 20 %.
 constexpr double least_effective = 30;
 constexpr double most_log_error = 0.28;
-/// What recursion may cut: as for an error that is hardly seen.
+/// The RMSE that the limits of recursion may cause; it is hardly visible.
 constexpr double cut_error = 0.002;
 
 std::uint64_t sum(const std::vector<std::uint32_t>& counts) {

@@ -1,4 +1,4 @@
-// A picture that gets better pass by pass, for as long as there is time.
+// Renders a picture in passes, each of which improves it, for as long as there is time.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,18 @@
 
 namespace lancer::accuracy {
 
-/// Which pixels each pass gives more samples: first one everywhere, then a second in eighths of the
-/// picture, then twice as many where that helps most. What a pass does depends on its number and on
-/// the samples of those before.
+/// Decides which pixels get more samples in each pass. The first pass gives one sample to every
+/// pixel. The next 8 give a second sample to an eighth of the pixels each. Later passes double the
+/// samples where that helps most. A pass depends only on its number and on the samples before it.
 class Passes {
   public:
     explicit Passes(const PictureSamples& samples) : samples_(samples) {}
 
-    /// The numbers of samples after the next pass. Empty: 16 bits show no error that is left.
+    /// The numbers of samples after the next pass. Empty when 16 bits could not show the predicted
+    /// error.
     std::vector<std::uint32_t> next();
     int made() const { return made_; }
-    /// Rays of an audit through the image plane, a draw, as predicted now and then.
+    /// Predicted camera rays per draw of an audit; updated from time to time.
     double rays_per_draw() const { return rays_per_draw_; }
 
   private:
@@ -30,7 +31,7 @@ class Passes {
     int made_ = 0;
     Prediction prediction_;
     double rays_per_draw_ = 32;
-    std::vector<std::size_t> planned_;  ///< pixels to be doubled, the best last
+    std::vector<std::size_t> planned_;  ///< pixels whose samples will be doubled, the best last
 };
 
 struct PassGoal {
@@ -39,7 +40,7 @@ struct PassGoal {
     FixedLimits fixed;
 };
 
-/// What is known before each pass.
+/// The state before a pass. Rays are camera rays.
 struct PassState {
     int passes = 0;                 ///< that were made
     const PictureSamples& samples;  ///< every pixel has some after the first pass
@@ -50,9 +51,10 @@ struct PassState {
 /// False ends the work before the pass.
 using GoOn = std::function<bool(const PassState&)>;
 
-/// Passes until `go_on` says no, the first always, or until there is nothing left to mend; then
-/// audits, the first of which decides whether the error is told. The bytes of the picture depend on
-/// the number of passes alone. Throws SceneError, and what `go_on` throws.
+/// Makes passes until `go_on` returns false or no visible error is left; the first pass is always
+/// made. Two audits follow. The first decides whether the error is told, the second is printed. The
+/// bytes of the picture depend only on the number of passes. Throws SceneError, and what `go_on`
+/// throws.
 ///
 /// \param renderer  makes the picture; may be the truth's own
 ErrorPicture render_by_passes(const Renderer& renderer, const Truth& truth, const View& view,

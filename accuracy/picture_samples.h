@@ -1,4 +1,4 @@
-// The samples of a picture so far: what the rays of each pixel have brought.
+// The samples of a picture that is being made, summed per pixel.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct PixelSums {
 
     void add(const Color& sample);
     Color mean() const { return sum / static_cast<double>(count); }
-    /// Of the samples, summed over channels, without bias; 0 for a single one.
+    /// Unbiased variance of the samples, summed over channels; 0 for a single sample.
     double variance() const;
 };
 
@@ -27,12 +27,12 @@ struct RowRange {
     int count = 0;
 };
 
-/// The rows that one of several machines makes. Guesses about a pixel look at those around it that
-/// are made here too.
+/// The rows of one part of a picture. Predictions about a pixel use only the neighbours in the same
+/// part.
 struct PictureRows {
-    int part = 0;                  ///< from 0: the audits of parts draw apart from each other
-    int parts = 1;                 ///< of the whole picture
-    std::vector<RowRange> ranges;  ///< from the top; none: every row
+    int part = 0;                  ///< from 0; the audits of different parts draw independently
+    int parts = 1;                 ///< number of parts of the whole picture
+    std::vector<RowRange> ranges;  ///< from the top; empty for all rows
 };
 
 /// A picture whose pixels have as many samples as each needs, at its own Owen-scrambled Sobol
@@ -54,17 +54,17 @@ class PictureSamples {
     /// A pixel's place in the whole picture.
     int column(std::size_t pixel) const;
     int row(std::size_t pixel) const;
-    /// The pixel that stands there, which must be one of these.
+    /// The index of the pixel at this place, which must be one of these samples.
     std::size_t pixel_at(int column, int row) const;
-    /// Whether rows of these samples lie in the picture as far apart as here.
+    /// Whether rows y and `other` of these samples are as far apart in the whole picture as here.
     bool are_near(int y, int other) const {
         return rows_[static_cast<std::size_t>(other)] - rows_[static_cast<std::size_t>(y)] ==
                other - y;
     }
-    /// A key for choices that belong to no pixel; those of different parts are independent.
+    /// A random key for choices that belong to no pixel. Keys of different parts are independent.
     std::uint64_t key(std::uint64_t stream) const;
 
-    /// Raises each pixel's number of samples to wanted[pixel]; those that have as many keep theirs.
+    /// Raises each pixel's number of samples to wanted[pixel], unless it has as many already.
     void raise(std::span<const std::uint32_t> wanted, const Progress& progress);
 
     /// The means, in linear light; every pixel must have a sample.
@@ -83,12 +83,12 @@ class PictureSamples {
     std::uint64_t seed_;
     Crop crop_;
     int part_;
-    std::vector<int> rows_;  ///< in the whole picture
+    std::vector<int> rows_;  ///< row numbers in the whole picture
     std::vector<PixelSums> pixels_;
     RayCounts rays_;
 };
 
-/// Batches of rays hold about as many: enough for all cores, little memory.
+/// Number of rays per batch: enough work for all cores, little memory.
 inline constexpr std::size_t batch_size = std::size_t(1) << 17;
 
 }  // namespace lancer::accuracy

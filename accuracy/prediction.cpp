@@ -6,9 +6,9 @@
 namespace lancer::accuracy {
 namespace {
 
-// Tuned on two scenes, kept on the others: docs/cost-of-accuracy.md.
-constexpr double neighbor_samples = 4;  // as which the neighbourhood counts beside the own ones
-constexpr double neighbor_share = 0.3;  // of its variance, which holds slow changes too
+// Tuned on two scenes and used unchanged on the others: docs/cost-of-accuracy.md.
+constexpr double neighbor_samples = 4;  // the neighbourhood's weight, as a number of samples
+constexpr double neighbor_share = 0.3;  // of its variance, part of which is slow change
 constexpr double from_surroundings = 0.05;
 constexpr double from_everywhere = 0.003;
 

@@ -9,11 +9,11 @@ namespace {
 
 constexpr double fewest = 20;
 constexpr double noticed_share = 0.3;
-constexpr double seen_by_audits = 0.125;  // of a pixel: the nets of an audit meet what is larger
+constexpr double seen_by_audits = 0.125;  // share of a pixel; an audit's nets meet larger specks
 
 struct Surroundings {
     Color mean{0, 0, 0};
-    double variance = 0;  ///< of their samples, summed over channels
+    double variance = 0;  ///< of the samples of the pixels around, summed over channels
 };
 
 Surroundings surroundings(const PictureSamples& samples, std::size_t pixel) {
@@ -43,7 +43,7 @@ double square(const Color& color) {
     return dot(color, color);
 }
 
-/// Whether a pixel's samples lie far from those around it, as these lie from each other.
+/// Whether a pixel's samples lie far from the mean around it, measured by the variance around it.
 bool is_alone(const PixelSums& own, const Surroundings& around) {
     const double distance =
         own.squares / own.count - 2 * dot(own.mean(), around.mean) + square(around.mean);
@@ -71,7 +71,8 @@ Specks RareLight::missed(const PictureSamples& later) const {
         const PixelSums& own = later.pixels()[pixel];
         const Surroundings around = surroundings(later, pixel);
         if (!is_alone(own, around)) continue;
-        // Of a speck on a plain ground: its light times its share of the pixel, and that share.
+        // Model: a speck of light L covers the share s of the pixel, on an even ground. The mean
+        // then differs by L s from the ground, and the variance is L^2 s (1 - s).
         const double added = square(own.mean() - around.mean);
         if (added == 0) continue;
         const double share = added / (own.variance() + added);
@@ -96,7 +97,7 @@ bool is_noticed(double error, double rmse, double pixels_of_picture) {
 
 bool Specks::forbid(double rmse, double pixels_of_picture) const {
     return is_noticed(error, rmse, pixels_of_picture) &&
-           error * error < fewest * squares;  // fewer equal ones would weigh as much
+           error * error < fewest * squares;  // fewer effective specks than `fewest`
 }
 
 }  // namespace lancer::accuracy

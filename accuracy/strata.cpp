@@ -9,14 +9,16 @@ namespace lancer::accuracy {
 namespace {
 
 constexpr double tail = 0.025;
-/// Of chances of the calm ones; between two the worse of both counts. Only what is far from all
-/// that is asked for has large numbers.
+/// Intervals of the grid over the calm pixels' probability. Within an interval the bound uses the
+/// worse of its ends. A large t occurs only far from any share that is asked for, so a coarse grid
+/// will do there.
 int grid_for(std::uint64_t t) {
     return t < 3000 ? 96 : 8;
 }
 constexpr int halvings = 32;
 
-/// How likely at most 0, 1 ... `most` of the draws are off, for chances that have this mean.
+/// Upper bounds on the probabilities that at most 0, 1 ... `most` of the draws are off, where the
+/// draws' probabilities have the mean `chance`. Exact if they are alike.
 std::vector<double> at_most(std::uint64_t most, std::uint64_t draws, double chance, bool alike) {
     std::vector<double> sums(most + 1, 1);
     if (chance <= 0 || draws == 0) return sums;
@@ -30,7 +32,7 @@ std::vector<double> at_most(std::uint64_t most, std::uint64_t draws, double chan
     double sum = 0;
     for (std::uint64_t k = 0; k <= std::min(most, draws); ++k) {
         sum += elementary::exp(log_term);
-        // Different chances make low counts rarer than equal ones do, if these are low.
+        // Hoeffding: for counts well below the mean, equal probabilities give the largest value.
         const bool is_bound = alike || static_cast<double>(k) + 1 <= n * chance;
         sums[k] = is_bound ? std::min(1.0, sum) : 1;
         if (k < draws)
@@ -40,7 +42,8 @@ std::vector<double> at_most(std::uint64_t most, std::uint64_t draws, double chan
     return sums;
 }
 
-/// At most t, with these chances.
+/// The probability of at most t, with these probabilities of the kinds; an upper bound if the
+/// draws are not alike.
 double chance_low(const TwoKinds& kinds, std::uint64_t t, double calm, double risky) {
     const std::uint64_t most = std::min(t / kinds.step, kinds.calm.draws);
     const std::vector<double> of_calm = at_most(most, kinds.calm.draws, calm, kinds.alike);
@@ -49,14 +52,16 @@ double chance_low(const TwoKinds& kinds, std::uint64_t t, double calm, double ri
     const auto left = [&](std::uint64_t j) {
         return of_risky[std::min(t - kinds.step * j, kinds.risky.draws)];
     };
-    // The sum over the calm ones' numbers j of P(j) left(j), by parts: bounds on P(at most j) do.
+    // The sum over the calm count j of P(j) left(j), summed by parts. So bounds on P(at most j) are
+    // enough.
     double sum = 0;
     for (std::uint64_t j = 0; j <= most; ++j)
         sum += of_calm[j] * (left(j) - (j < most ? left(j + 1) : 0));
     return sum;
 }
 
-/// How likely at least 0, 1 ... `most` of the draws are off, for chances that have this mean.
+/// Upper bounds on the probabilities that at least 0, 1 ... `most` of the draws are off, where the
+/// draws' probabilities have the mean `chance`. Exact if they are alike.
 std::vector<double> at_least(std::uint64_t most, std::uint64_t draws, double chance, bool alike) {
     const std::vector<double> fewer = at_most(most, draws, chance, true);
     std::vector<double> sums(most + 1, 1);
@@ -68,10 +73,11 @@ std::vector<double> at_least(std::uint64_t most, std::uint64_t draws, double cha
     return sums;
 }
 
-/// At least t, with these chances.
+/// The probability of at least t, with these probabilities of the kinds; an upper bound if the
+/// draws are not alike.
 double chance_high(const TwoKinds& kinds, std::uint64_t t, double calm, double risky) {
     const std::uint64_t enough =
-        std::min((t + kinds.step - 1) / kinds.step, kinds.calm.draws);  // calm ones alone
+        std::min((t + kinds.step - 1) / kinds.step, kinds.calm.draws);  // calm draws that reach t
     const std::vector<double> of_calm = at_least(enough, kinds.calm.draws, calm, kinds.alike);
     const std::vector<double> of_risky =
         at_least(std::min(t, kinds.risky.draws), kinds.risky.draws, risky, kinds.alike);
@@ -84,7 +90,8 @@ double chance_high(const TwoKinds& kinds, std::uint64_t t, double calm, double r
     return sum;
 }
 
-/// Where a condition that holds for small chances ends: a chance within, or one outside.
+/// The end of the range of probabilities, from 0, where a condition holds: a probability just
+/// outside the range, or one within.
 template <class Holds>
 double end_of(const Holds& holds, bool outside) {
     if (holds(1)) return 1;
@@ -107,7 +114,8 @@ double upper_share(const TwoKinds& kinds, std::uint64_t t) {
     const int grid = grid_for(t);
     double share = 0;
     for (int i = 0; i < grid; ++i) {
-        // With a larger chance of the calm ones the risky ones' would have to be smaller.
+        // Within the interval, the largest risky probability is the one that fits the lower end: it
+        // decreases as the calm probability grows.
         const double from = most * i / grid;
         const double to = most * (i + 1) / grid;
         if (!fits(from, 0)) break;
@@ -128,7 +136,7 @@ double lower_share(const TwoKinds& kinds, std::uint64_t t) {
     for (int i = 0; i <= grid; ++i) {
         const double from = most * i / grid;
         const double to = most * (i + 1) / grid;
-        if (is_too_low(to, 1)) continue;  // no chance of the risky ones makes up for it
+        if (is_too_low(to, 1)) continue;  // no risky probability is large enough
         const double risky =
             is_too_low(to, 0) ? end_of([&](double c) { return is_too_low(to, c); }, false) : 0;
         share = std::min(share, kinds.calm.weight * from + kinds.risky.weight * risky);
