@@ -1,4 +1,4 @@
-// Sums up what the limits of the recursion leave out.
+// Sums up how much light the limits of the recursion can leave out.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace lancer {
 
-/// Adds the factors along the way to each branch that is not followed: such a branch brings at most
-/// that share of whatever light it would meet. A ray's weight will not do: it is tinted by total
-/// reflections, and light is not (docs/shading.md). No light is formed on the way.
+/// Adds up, over all branches that are not followed, the product of the factors on the path to the
+/// branch. The branch would have contributed this share of the light that it meets. The ray's
+/// weight cannot serve for this: a total reflection lowers it by the surface's tint, but does not
+/// tint the light (docs/shading.md). No light is computed.
 template <class Real>
 class CutRecorder : public Unrecorded {
   public:
     static constexpr bool wants_light = false;
 
-    /// \param share  gets the sum; must outlive this
+    /// \param share  receives the sum; must outlive this object
     explicit CutRecorder(Vec3<Real>& share) : share_(&share) {}
 
     void begin_camera_ray() { begin_call(Vec3<Real>(1)); }
@@ -29,7 +30,7 @@ class CutRecorder : public Unrecorded {
     void shade(const Surface<Real>&, const Vec3<Real>& through, const Vec3<Real>& passed) {
         at_surface_ = factors_.back() * through * passed;
     }
-    /// What reflects nothing adds nothing.
+    /// A surface without reflection has `mirror` 0 and adds nothing.
     void skip_mirrored(const Vec3<Real>& mirror, Real) { *share_ += at_surface_ * mirror; }
     void end_at_limit(const Vec3<Real>& through, Real, int) {
         *share_ += factors_.back() * through;
@@ -40,7 +41,7 @@ class CutRecorder : public Unrecorded {
     void begin_call(const Vec3<Real>& factor) { factors_.push_back(factor); }
 
     Vec3<Real>* share_;
-    std::vector<Vec3<Real>> factors_;  ///< of the calls that have not ended
+    std::vector<Vec3<Real>> factors_;  ///< one per open call of the recursion
     Vec3<Real> at_surface_{};
 };
 

@@ -1,4 +1,4 @@
-// The recursion without its light: which share of it the limits leave out.
+// The recursion without light: computes the share of light that the limits can leave out.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace lancer {
 
-/// Traces the rays that Whitted or OpaqueTracer would, whichever the world takes, and none to
-/// lights. One object per thread.
+/// Traces the same rays as Whitted or OpaqueTracer (whichever the world needs), but no shadow rays.
+/// One object per thread.
 template <class Real>
 class CutTracer {
   public:
@@ -20,7 +20,7 @@ class CutTracer {
     CutTracer(const CutTracer&) = delete;
     CutTracer& operator=(const CutTracer&) = delete;
 
-    /// In place of a colour, the sum that CutRecorder forms. Parameters: see Whitted.
+    /// Returns the sum of CutRecorder in place of a colour. Parameters: see Whitted.
     Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>& from_camera,
                           ProbeRecord<Real>* record);
 

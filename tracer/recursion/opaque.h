@@ -1,5 +1,5 @@
-// The recursion in worlds that no light passes through: a surface's own light, and a mirror's. It
-// is whitted.h without transmission and media.
+// The recursion in worlds where all surfaces are opaque: local light and mirrors. It is whitted.h
+// without transmission and media.
 #pragma once
 
 #include "tracer/rays/trace_limits.h"
@@ -7,7 +7,7 @@
 
 namespace lancer {
 
-/// Beyond the limits a ray brings black, so it need not be cast.
+/// Whether a ray is within the limits. Beyond them its colour is black.
 ///
 /// \param weight  product along the way of the largest channel of each factor
 /// \param depth   reflections and bends so far
@@ -16,8 +16,8 @@ bool is_followed(const TraceLimits& limits, Real weight, int depth) {
     return depth < limits.max_depth && weight >= static_cast<Real>(limits.min_contribution);
 }
 
-/// Fresnel's reflectance of an opaque surface, which no list of bodies tracks: it has its own index
-/// against that of what is around the ray.
+/// Fresnel reflectance of an opaque surface. Its body is in no list of media, so the indices are
+/// its own and `outside`, that of the medium around the ray.
 template <class Real>
 Real opaque_reflectance(const Surface<Real>& s, const Vec3<Real>& ray_dir, Real outside) {
     const Real index = s.finish->ior / outside;
@@ -25,14 +25,14 @@ Real opaque_reflectance(const Surface<Real>& s, const Vec3<Real>& ray_dir, Real 
     return fresnel_reflectance(-dot(s.normal, ray_dir), out_of_body ? 1 / index : index);
 }
 
-/// Whether OpaqueTracer is enough for the world.
+/// Whether OpaqueTracer can render the world.
 template <class Real>
 bool is_all_opaque(const World<Real>& world) {
     return !world.has_media && !world.has_transmission;
 }
 
-/// Traces rays through one world in which everything is opaque. One object per thread: it counts
-/// what it does.
+/// Traces rays through one world in which everything is opaque. One object per thread, because it
+/// counts rays.
 ///
 /// \tparam Recorder  Unrecorded, RayTreeRecorder or CutRecorder
 template <class Real, class Recorder = Unrecorded>
@@ -46,8 +46,8 @@ class OpaqueTracer {
     /// See Whitted.
     Vec3<Real>* seen_through = nullptr;
 
-    /// The colour that a camera ray brings: see Whitted. Where the camera stands matters to media
-    /// alone.
+    /// The colour of a camera ray: see Whitted. The camera's position (third parameter) matters
+    /// only with media.
     Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>&,
                           ProbeRecord<Real>* record) {
         ++lighting_.counts.primary;
@@ -115,7 +115,7 @@ class OpaqueTracer {
     }
 
   private:
-    /// Of several surfaces in one place the one that the scene names first shows.
+    /// Of several surfaces in one contact, the one that the scene declares first is visible.
     const Hit<Real>& declared_first(const Contact<Real>& contact) const {
         const auto object = [&](const Hit<Real>& hit) {
             return world_.primitives[hit.surface.primitive].object;
@@ -125,7 +125,7 @@ class OpaqueTracer {
         });
     }
 
-    /// The share that is mirrored.
+    /// The share of light that the surface mirrors.
     Vec3<Real> mirror_of(const Surface<Real>& s, const Ray<Real>& ray) const {
         if (!s.finish->fresnel) return s.finish->reflection;
         return s.finish->reflection * opaque_reflectance(s, ray.dir, Real(1));

@@ -1,4 +1,4 @@
-// Writes down what the recursion does, while it does it.
+// Records what the recursion does, as a ray tree.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,23 @@
 
 namespace lancer {
 
-/// The recursion calls these functions where it stands; they compute nothing that it reads. So a
-/// tree tells of the very operations that make the picture. Unrecorded has the same, empty.
+/// The recursion calls these functions while it runs. They compute nothing that it reads, so the
+/// tree shows exactly the operations that make the picture. Unrecorded has the same functions, but
+/// empty.
 template <class Real>
 class RayTreeRecorder {
   public:
     static constexpr bool wants_light = true;
 
-    /// Both must outlive it.
+    /// `world` and `tree` must outlive this object.
     RayTreeRecorder(const World<Real>& world, const TraceLimits& limits, RayTree& tree)
         : world_(&world), limits_(limits), tree_(&tree) {}
 
-    /// A call of the recursion begins: what it brings back counts whole.
+    /// A call of the recursion begins, for a camera ray. Its light has the factor 1.
     void begin_camera_ray() { begin_call(RayTree::Kind::camera, Color(1)); }
 
-    /// A call begins for what the last surface mirrors; its light counts by these factors.
+    /// A call begins, for the ray that the last surface mirrors. Its light has the product of these
+    /// factors.
     void begin_mirrored(const Vec3<Real>& through, const Vec3<Real>& passed,
                         const Vec3<Real>& mirror, Real weight) {
         const Color factor = factor_ * color(through) * color(passed) * color(mirror);
@@ -33,7 +35,7 @@ class RayTreeRecorder {
         if (is_open()) surface().mirrored = next_ray();
         begin_call(RayTree::Kind::mirrored, factor);
     }
-    /// What the last surface mirrors is not followed.
+    /// The ray that the last surface mirrors is not followed.
     void skip_mirrored(const Vec3<Real>& mirror, Real weight) {
         if (!is_open()) return;
         surface().reflectance = color(mirror);
@@ -45,7 +47,7 @@ class RayTreeRecorder {
         calls_.pop_back();
     }
 
-    /// The same call goes on with a ray in another direction.
+    /// The same call continues with a ray in another direction.
     void begin_bent(bool total) {
         if (!is_open()) return;
         contact().bent = next_ray();
@@ -70,7 +72,7 @@ class RayTreeRecorder {
         own().end = depth < limits_.max_depth ? RayTree::End::weight : RayTree::End::depth;
         own().end_weight = static_cast<double>(weight);
     }
-    /// \param share  that the way to infinity leaves
+    /// \param share  of the background's light that arrives at the start of the call
     void end_in_background(const Vec3<Real>& share) {
         if (!is_open()) return;
         own().end = RayTree::End::background;
@@ -83,9 +85,9 @@ class RayTreeRecorder {
         if (is_open()) own().end = RayTree::End::surfaces;
     }
 
-    /// \param hits     ordered
-    /// \param after    bodies behind the contact
-    /// \param through  what all before it lets pass
+    /// \param hits     in the order of order_contact()
+    /// \param after    bodies that contain the ray behind the contact
+    /// \param through  product of the transmittances before the contact
     void meet(Real t, const Contact<Real>& hits, const auto& after, const Vec3<Real>& through) {
         if (!add_node()) return;
         RayTree::Contact& c = own().contacts.emplace_back();
@@ -102,7 +104,7 @@ class RayTreeRecorder {
         contact().total = total;
     }
 
-    /// A surface of the contact, before its light is formed.
+    /// A surface of the contact, before its light is computed.
     void shade(const Surface<Real>& s, const Vec3<Real>& through, const Vec3<Real>& passed) {
         if (!add_node()) return;
         RayTree::Surface& to = contact().surfaces.emplace_back();
@@ -117,12 +119,12 @@ class RayTreeRecorder {
         to.transmittance = color(s.transmittance);
         to.weight = factor_ * color(through) * color(passed);
     }
-    /// The last surface's light before any light source.
+    /// The last surface's ambient and emitted light.
     void glow(const Vec3<Real>& sum) {
         if (is_open()) surface().glow = surface().own = color(sum);
     }
 
-    /// \param asked  whether the material answers light from that side
+    /// \param asked  whether the material reflects or transmits light from that side
     void ask_light(std::size_t index, const LightSample<Real>& at, Real cosine, bool asked) {
         if (!add_node()) return;
         RayTree::Light& to = surface().lights.emplace_back();
@@ -136,31 +138,31 @@ class RayTreeRecorder {
     void arrive(const Vec3<Real>& share) {
         if (is_open()) light().share = color(share);
     }
-    /// \param sum  of the surface's light, this source's with it
+    /// \param sum  the surface's light so far, including this source
     void end_light(const Vec3<Real>& sum) {
         if (!is_open()) return;
         light().added = color(sum) - surface().own;
         surface().own = color(sum);
     }
 
-    /// Of the way to the light: this primitive ends it,
+    /// The primitive blocks the way to the light.
     void block(std::uint32_t primitive) { lose(RayTree::Loss::Kind::blocked, {primitive}, 0, {}); }
-    /// this surface lets a share pass,
+    /// The surface lets this share of the light pass.
     void filter(const SurfaceId& at, Real t, const Vec3<Real>& share) {
         lose(RayTree::Loss::Kind::surface, at, t, share);
     }
-    /// and this body, up to t.
+    /// The innermost body lets this share pass up to t.
     void absorb(const MediaList& bodies, Real t, const Vec3<Real>& share) {
         lose(RayTree::Loss::Kind::medium, {bodies.back()}, t, share);
     }
 
   private:
-    /// Of a call: what it goes back to.
+    /// The state to which the end of a call returns.
     struct Call {
         std::uint32_t ray;
         Color factor;
     };
-    /// A tree that is larger helps nobody, and memory has an end.
+    /// A larger tree is of no use, and memory is limited.
     static constexpr std::size_t most_nodes = 100'000;
 
     bool is_open() const { return !tree_->is_cut; }
@@ -192,7 +194,7 @@ class RayTreeRecorder {
     }
 
     static Color color(const Vec3<Real>& v) { return convert<double>(v); }
-    /// From the world's scale.
+    /// A length of the world, in units of the scene.
     double length(Real t) const { return static_cast<double>(ldexp(t, -world_->scale_exponent)); }
     Vec3d place(const Vec3<Real>& p, const Vec3<Real>& lo) const {
         return {length(p.x + lo.x), length(p.y + lo.y), length(p.z + lo.z)};

@@ -1,4 +1,4 @@
-// The recursion with somebody who writes down what it does.
+// The recursion with a recorder of its ray tree.
 #pragma once
 
 #include "tracer/rays/ray.h"
@@ -9,7 +9,8 @@
 
 namespace lancer {
 
-/// Traces one camera ray as Whitted or OpaqueTracer would, whichever the world takes, into `tree`.
+/// Traces one camera ray by Whitted or OpaqueTracer (whichever the world needs), and records it in
+/// `tree`.
 template <class Real>
 class RecordedTracer {
   public:

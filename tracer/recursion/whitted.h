@@ -1,7 +1,8 @@
-// The recursion: what a ray brings back. Glass is here: follow() goes along the ray, bend()
-// refracts, shade() mirrors with Fresnel, transmittance_between() absorbs. The formulas:
-// shading/optics.h. Shadows through glass: shading/shadow.h. For eight rays: wide/glass.h. Whitted,
-// "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980; terms in docs/shading.md.
+// The recursion, with transparent surfaces: follow() goes along the ray, bend() refracts, shade()
+// mirrors with Fresnel reflectance, transmittance_between() absorbs. The formulas are in
+// shading/optics.h; shadows through glass are in shading/shadow.h; wide/glass.h has the recursion
+// for eight rays. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980;
+// terms in docs/shading.md.
 #pragma once
 
 #include "tracer/intersect/edge_hits.h"
@@ -15,8 +16,8 @@ namespace lancer {
 /// depth.
 inline constexpr int max_surfaces_in_line = 1000;
 
-/// Traces rays through one world of which some lets light through. One object per thread: it counts
-/// what it does.
+/// Traces rays through one world that has transparent surfaces. One object per thread, because it
+/// counts rays.
 ///
 /// \tparam Recorder  Unrecorded, RayTreeRecorder or CutRecorder
 template <class Real, class Recorder = Unrecorded>
@@ -27,12 +28,13 @@ class Whitted {
 
     const RayCounts& counts() const { return lighting_.counts; }
 
-    /// For pictures with alpha, else null. It receives the background's share of the camera ray's
-    /// light, met straight or through glass but not in mirrors; the colour leaves that light out.
+    /// For pictures with alpha, else null. It receives the share of the background's light in the
+    /// camera ray's colour, seen directly or through glass but not in mirrors. The colour then does
+    /// not contain that light.
     Vec3<Real>* seen_through = nullptr;
 
-    /// The colour that a camera ray brings. The camera is at parameter `at_camera` (<= 0) of the
-    /// ray; `from_camera` is the same line with its origin there. `record` may be null.
+    /// The colour of a camera ray. The camera is at parameter `at_camera` (<= 0) of the ray;
+    /// `from_camera` is the same line with its origin there. `record` may be null.
     Vec3<Real> camera_ray(const Ray<Real>& ray, Real at_camera, const Ray<Real>& from_camera,
                           ProbeRecord<Real>* record) {
         ++lighting_.counts.primary;
@@ -45,8 +47,8 @@ class Whitted {
         return color;
     }
 
-    /// The colour that a ray brings, which the surface that it starts on has turned into this
-    /// direction, term by term: the sum of what add() gets, in this order, from 0 on.
+    /// The colour of a ray that the surface it starts on has refracted or mirrored. It is returned
+    /// term by term: the colour is 0 plus the arguments of all calls of add(), in their order.
     ///
     /// \param weight, depth  see is_followed()
     /// \param through  what the surfaces and media before let pass
@@ -60,7 +62,7 @@ class Whitted {
   private:
     using Step = Crossed<Real, Media>;
 
-    /// \param turn  the surface that turned the ray into this direction
+    /// \param turn  the surface that refracted or mirrored the ray into this direction
     Vec3<Real> trace(const Ray<Real>& ray, const Start<Real>& start, const Media& media,
                      Real weight, int depth, const SurfaceId& turn) {
         Vec3<Real> result(0);
@@ -148,9 +150,9 @@ class Whitted {
         lighting_.recorder.end_at_limit(through, weight, depth);
     }
 
-    /// What is around a ray that leaves a surface. Where it is follows from the geometric normal;
-    /// what bends it next from whether it was refracted or mirrored, as in POV-Ray: the two part on
-    /// smooth meshes, see Media.
+    /// The media around a ray that leaves a surface. The geometric normal decides which bodies
+    /// contain it. Whether it was refracted or mirrored decides which index counts for the next
+    /// refraction, as in POV-Ray. The two may differ on smooth meshes, see Media.
     Media leaving(const Surface<Real>& s, const Step& c, const Vec3<Real>& direction,
                   bool refracted) const {
         Media media{c.towards(s, direction).bodies, {}};
@@ -166,19 +168,19 @@ class Whitted {
         c.bent = mirrored(c.ray.dir, front.normal);
     }
 
-    /// What a contact leaves of the light from behind it.
+    /// The share of the light from behind a contact that passes it.
     struct Share {
         bool ended = false;  ///< opaque
         Vec3<Real> light{1};
         Real weight = 1;
     };
 
-    /// Adds what the contact itself sends, and what it mirrors.
+    /// Adds the local light of the contact's surfaces, and the light that they mirror.
     template <class Add>
     Share shade(const Surfaces<Real>& surfaces, const Step& c, const Vec3<Real>& through,
                 Real weight, int depth, const Add& add) {
         Share share;
-        // One optical step in a contact, so one Fresnel term.
+        // The index changes once per contact, so there is one Fresnel term.
         const auto weighted =
             std::find_if(surfaces.begin(), surfaces.end(),
                          [](const Surface<Real>& s) { return s.finish->fresnel; });
@@ -189,8 +191,8 @@ class Whitted {
             if (lighting_.record != nullptr) lighting_.record->settled = true;
             const bool passes = max_component(s.transmittance) > 0;
             if (passes && c.total) {
-                // The mirror ray takes the place of the reflected and of the transmitted one; what
-                // it brings is not tinted.
+                // The totally reflected ray replaces the reflected and the transmitted one. Its
+                // light is not tinted.
                 return {false, share.light, share.weight * max_component(s.transmittance)};
             }
             Vec3<Real> mirror = s.finish->reflection;
@@ -218,8 +220,8 @@ class Whitted {
         return share;
     }
 
-    /// Fresnel's reflectance with the indices before and after the surface. A sheet that light
-    /// passes has the same medium on both sides.
+    /// Fresnel reflectance with the indices before and after the surface. A transmissive sheet has
+    /// the same medium on both sides.
     Real fresnel(const Surface<Real>& s, const Step& c) const {
         const bool tracked = world_.has_media && s.primitive->medium;
         if (tracked || max_component(s.transmittance) > 0)

@@ -1,4 +1,4 @@
-// What of a contact is a surface at all, and which of them show.
+// Which hits of a contact count as surfaces, and which of these are visible.
 #pragma once
 
 #include "tracer/rays/crossing.h"
@@ -6,7 +6,7 @@
 
 namespace lancer {
 
-/// Whether the hits are the end of one clear body and the beginning of another of the same matter.
+/// Whether one hit leaves a clear body and the other enters another body of the same material.
 template <class Real>
 bool is_glued(const World<Real>& world, const Hit<Real>& a, const Hit<Real>& b) {
     const Primitive<Real>& first = world.primitives[a.surface.primitive];
@@ -22,8 +22,8 @@ bool is_glued(const World<Real>& world, const Hit<Real>& a, const Hit<Real>& b) 
            matter == world.finishes[second.material] && shows(first, a) && shows(second, b);
 }
 
-/// Leaves out the second of two faces of a mesh where the ray meets their common edge, so that a
-/// pane is tinted once on its diagonal too.
+/// Where the ray meets the common edge of two faces of a mesh, leaves out the second face. So the
+/// diagonal of a pane tints light only once.
 template <class Real>
 void drop_second_faces(const World<Real>& world, Contact<Real>& contact) {
     for (std::size_t i = 0; i < contact.size(); ++i) {
@@ -38,7 +38,7 @@ void drop_second_faces(const World<Real>& world, Contact<Real>& contact) {
     }
 }
 
-/// Leaves out both sides of every place where one matter is glued to itself.
+/// Leaves out both hits wherever bodies of the same material are glued together (is_glued).
 template <class Real>
 void drop_glued(const World<Real>& world, Contact<Real>& contact) {
     for (std::size_t i = 0; i < contact.size();) {
@@ -53,17 +53,17 @@ void drop_glued(const World<Real>& world, Contact<Real>& contact) {
     }
 }
 
-/// Leaves out of an ordered contact what is no surface of its own, which may be all of it, for
-/// light that passes it straight.
+/// Leaves out the hits of an ordered contact that do not count as surfaces. All of them may go. For
+/// light that passes straight on.
 template <class Real>
 void drop_coincident(const World<Real>& world, Contact<Real>& contact) {
     drop_second_faces(world, contact);
     drop_glued(world, contact);
 }
 
-/// The same for light that a step of the index may bend.
+/// The same for light that may be refracted.
 ///
-/// \param ratio  of the indices before and after
+/// \param ratio  index before the contact over index after it
 template <class Real>
 void drop_coincident(const World<Real>& world, Contact<Real>& contact, Real ratio) {
     if (ratio == 1)
@@ -75,7 +75,8 @@ void drop_coincident(const World<Real>& world, Contact<Real>& contact, Real rati
 template <class Real>
 using Surfaces = boost::container::small_vector<Surface<Real>, 2>;
 
-/// The surfaces of an ordered contact that show: an opaque one hides all others.
+/// The visible surfaces of an ordered contact: if one is opaque, it hides all others; of several
+/// opaque ones the object that the scene declares first is visible.
 template <class Real>
 Surfaces<Real> shown(const World<Real>& world, const Contact<Real>& contact, const Ray<Real>& ray) {
     Surfaces<Real> surfaces;

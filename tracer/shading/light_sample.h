@@ -1,4 +1,4 @@
-// What a light sends to a point, before shadows.
+// The light that a lamp sends to a point, without shadows.
 #pragma once
 
 #include "tracer/numerics/rounding.h"
@@ -10,7 +10,7 @@ template <class Real>
 struct LightSample {
     Vec3<Real> direction;  ///< unit, from the point to the light
     Real distance;         ///< infinite for directional lights
-    Vec3<Real> color;      ///< with fade and spot
+    Vec3<Real> color;      ///< after fade and spotlight
 };
 
 template <class Real>
@@ -35,7 +35,7 @@ template <class Real>
     Real factor = 1;
     if (light.fades)
         factor = 2 / (1 + elementary::pow(at.distance / light.fade_distance, light.fade_power));
-    switch (light.kind) {  // each kind: the compiler names one that is missing
+    switch (light.kind) {  // no default: the compiler warns of a missing kind
         case Kind::directional:
         case Kind::point:
             break;

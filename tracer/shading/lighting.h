@@ -1,4 +1,4 @@
-// A surface's own light: ambient, emitted, and what the lights bring out of it. Terms in
+// A surface's local light: ambient, emitted, and reflected from the lamps. Terms in
 // docs/shading.md.
 #pragma once
 
@@ -9,26 +9,28 @@
 
 namespace lancer {
 
-/// A contact as the terms of shading see it.
+/// The data of a contact that the terms of shading use.
 template <class Real, class Media>
 struct Crossed {
     const Ray<Real>& ray;
     const SurfaceList& touched;
     const Media& before;
     const Media& after;
-    Real ratio = 1;      ///< of the indices before and after
+    Real ratio = 1;      ///< index before over index after
     bool total = false;  ///< total internal reflection
     Vec3<Real> bent{};   ///< the refracted direction, or the mirrored one when `total`
 
-    /// What is around a ray that starts here, by the geometric normal alone: `direction` may lead
-    /// back to the side that the ray came from, or to the other.
+    /// The media around a new ray that starts here in `direction`: those before the contact if the
+    /// direction leads back to the side that the ray came from, else those after it. Only the
+    /// geometric normal decides.
     const Media& towards(const Surface<Real>& s, const Vec3<Real>& direction) const {
         const bool back = (dot(s.geometric, direction) > 0) != (dot(s.geometric, ray.dir) > 0);
         return back ? before : after;
     }
 };
 
-/// The colour of a highlight: the light's, drawn to the surface's by `metallic`.
+/// The colour of a highlight: the light's, tinted by the surface's colour as far as `metallic`
+/// says.
 template <class Real>
 Vec3<Real> tinted(const Surface<Real>& s, Real cosine, const Vec3<Real>& color) {
     const Real metallic = s.finish->metallic;
@@ -37,10 +39,10 @@ Vec3<Real> tinted(const Surface<Real>& s, Real cosine, const Vec3<Real>& color) 
     return color * (Vec3<Real>(1) + amount * (s.color - Vec3<Real>(1)));
 }
 
-/// Phong's and Blinn's highlights of a light of this colour.
+/// The sum of Phong's and Blinn's highlights for a light of this colour.
 ///
-/// \param mirror  the ray's direction mirrored at the surface; used by Phong's only
-/// \param cosine  of the angle between normal and `to_light`
+/// \param mirror  the ray's direction mirrored at the surface; only Phong's highlight uses it
+/// \param cosine  cosine of the angle between the normal and `to_light`
 template <class Real>
 Vec3<Real> highlight(const Surface<Real>& s, const Vec3<Real>& ray_dir, const Vec3<Real>& mirror,
                      const Vec3<Real>& to_light, Real cosine, const Vec3<Real>& color) {
@@ -53,16 +55,16 @@ Vec3<Real> highlight(const Surface<Real>& s, const Vec3<Real>& ray_dir, const Ve
     if (f.blinn > 0) {
         const Vec3<Real> half = to_light - ray_dir;
         const Real size = length(half);
-        const Real along = dot(s.normal, half) / size;  // NaN where they cancel
+        const Real along = dot(s.normal, half) / size;  // NaN if half is 0
         if (along > 0) strength += f.blinn * elementary::pow(along, f.inverse_roughness);
     }
     return tinted(s, cosine, color) * strength;
 }
 
-/// Lights surfaces of one world, and counts the shadow rays that this takes.
+/// Computes the local light of surfaces of one world, and counts the shadow rays.
 ///
-/// \tparam Around    what is carried of the bodies around a ray: Media, or NoMedia
-/// \tparam Recorder  who is told what happens
+/// \tparam Around    Media, or NoMedia in worlds where rays carry no list of bodies
+/// \tparam Recorder  Unrecorded, RayTreeRecorder or CutRecorder
 template <class Real, class Around, class Recorder = Unrecorded>
 class Lighting {
   public:
@@ -113,7 +115,7 @@ class Lighting {
     }
 
   private:
-    /// The share of light `i` that shadows leave.
+    /// The share of light `i` that reaches the surface.
     Vec3<Real> reaching(std::size_t i, const LightSource<Real>& light, const Surface<Real>& s,
                         const Crossed<Real, Around>& c, const LightSample<Real>& at) {
         Vec3<Real> share(1);

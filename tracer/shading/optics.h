@@ -1,5 +1,5 @@
-// Light at a surface: mirror, Snell, Fresnel, absorption. Formulas as in docs/shading.md. Who uses
-// them for glass: recursion/whitted.h.
+// Light at a surface: mirror, Snell, Fresnel, absorption. The formulas are those of
+// docs/shading.md. recursion/whitted.h uses them for glass.
 #pragma once
 
 #include <algorithm>
@@ -15,27 +15,30 @@ Vec3<Real> mirrored(const Vec3<Real>& d, const Vec3<Real>& n) {
     return normalize(d - 2 * dot(d, n) * n);
 }
 
-/// d bent at a surface with unit normal n, n·d <= 0, by the ratio of the indices before and after,
-/// which is not 1. Returns false under total internal reflection.
+/// Refracts d at a surface with unit normal n, n·d <= 0. `ratio` is the index before over the index
+/// after, and not 1. Returns false under total internal reflection.
 ///
-/// q = 1 - ratio^2 (1 - c^2) is formed as (1 - ratio)(1 + ratio) + (ratio c)^2, which keeps its
-/// sign next to the critical angle and its value where ratio is near 1 (docs/numerics.md).
+/// q = 1 - ratio^2 (1 - c^2) is computed as (1 - ratio)(1 + ratio) + (ratio c)^2. This form has the
+/// right sign near the critical angle, and a small relative error where ratio is near 1
+/// (docs/numerics.md).
 template <class Real>
 bool refracted(const Vec3<Real>& d, const Vec3<Real>& n, Real ratio, Vec3<Real>& bent) {
     using std::sqrt;
     const Real c = -dot(d, n);
     const Real q = (1 - ratio) * (1 + ratio) + (ratio * c) * (ratio * c);
     if (q < 0) return false;
-    // ratio d + (ratio c - sqrt q) n; for ratio near 1 the bracket is small, so it is formed as
+    // ratio d + (ratio c - sqrt q) n. For ratio near 1 the bracket is small, so it is computed
+    // without cancellation, as
     // (ratio^2 c^2 - q) / (ratio c + sqrt q) = (ratio - 1)(ratio + 1) / (ratio c + sqrt q).
     const Real sum = ratio * c + sqrt(q);
     bent = normalize(ratio * d + (ratio - 1) * (ratio + 1) / sum * n);
     return true;
 }
 
-/// Reflectance of a dielectric for unpolarised light: `cosine` >= 0 of the angle of incidence,
-/// `index` after the surface over that before it. 1 under total internal reflection. Cook,
-/// Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1) 1982, eq. 3.
+/// Reflectance of a dielectric for unpolarised light. `cosine` >= 0 is that of the angle of
+/// incidence; `index` is the index after the surface over that before it. 1 under total internal
+/// reflection. Cook, Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1) 1982,
+/// eq. 3.
 template <class Real>
 Real fresnel_reflectance(Real cosine, Real index) {
     using std::sqrt;
@@ -47,9 +50,9 @@ Real fresnel_reflectance(Real cosine, Real index) {
     return a * a * (1 + b * b) / 2;
 }
 
-/// The share F of POV-Ray's `metallic` that stays the light's own colour, at this cosine of the
-/// angle between normal and light: an approximation of Fresnel's equations; docs/shading.md has its
-/// source.
+/// F of POV-Ray's `metallic`: the share of the highlight that keeps the light's own colour.
+/// `cosine` is that of the angle between normal and light. An approximation of Fresnel's equations;
+/// docs/shading.md has its source.
 template <class Real>
 Real metallic_share(Real cosine) {
     const Real x = elementary::acos(std::clamp(cosine, Real(-1), Real(1))) /
@@ -59,7 +62,7 @@ Real metallic_share(Real cosine) {
     return std::min(f, Real(1));
 }
 
-/// Beer-Lambert: what is left after a way of this length, which may be infinite.
+/// Beer-Lambert: the transmittance of a path of this length, which may be infinite.
 template <class Real>
 Vec3<Real> beer_lambert_transmittance(const Vec3<Real>& absorption, Real way) {
     const Real finite = std::min(way, std::numeric_limits<Real>::max());

@@ -1,17 +1,17 @@
-// What a ray tells beside its colour, for tests and for the judge of pictures.
+// What a ray met, beside its colour; for tests and for the judge.
 #pragma once
 
 #include "tracer/shading/surface.h"
 
 namespace lancer {
 
-/// What a caller may want to know beside the colour. Members that are null are not collected.
+/// What one ray met.
 template <class Real>
 struct ProbeRecord {
     bool met = false;        ///< the ray met something
-    bool settled = false;    ///< the first surface's lights are known
+    bool settled = false;    ///< `lit` is complete
     Surface<Real> surface;   ///< the first surface met
-    Real distance = 0;       ///< to it
+    Real distance = 0;       ///< to the first surface
     std::uint64_t lit = 0;   ///< Probe::lit
     std::uint64_t path = 0;  ///< Probe::path
 
@@ -24,7 +24,7 @@ struct ProbeRecord {
     void note(std::uint64_t event) { path = (path ^ event) * 0x9E3779B97F4A7C15u + (path >> 29); }
 };
 
-/// For ProbeRecord::note(): this face of this primitive was met.
+/// The event "this face of this primitive was met", for ProbeRecord::note().
 template <class Real>
 std::uint64_t event_of(const Surface<Real>& s) {
     return s.id.primitive * std::uint64_t(31) + s.id.face;

@@ -1,11 +1,11 @@
-// Shadows through transparent things, by one search instead of one for each contact.
+// Shadows through transparent objects, by one search instead of one search per contact.
 //
-// light_through() goes from contact to contact, because each changes the bodies that the ray is in.
-// Where all crossings of the way are clear of each other, of the start and of the light, one search
-// gives the same contacts: each crossing is computed from the same ray by the same formula as
-// there, a contact holds one of them alone, and which of them count follows from the bodies passed
-// so far. Where a condition fails, light_through() goes from contact to contact instead: this is a
-// fast way to the same result.
+// light_by_contacts() goes from contact to contact, because each contact changes the list of bodies
+// that the ray is in. One search gives the same contacts if all crossings are far enough from each
+// other, from the start and from the light: each crossing is computed from the same ray by the same
+// formula, each contact holds a single crossing, and the bodies passed so far decide which
+// crossings count. If a condition fails, light_through() calls light_by_contacts(). So this is a
+// fast path to the same result.
 #pragma once
 
 #include "tracer/intersect/media.h"
@@ -13,17 +13,18 @@
 
 namespace lancer {
 
-/// The crossings of the way to a light with what lets light pass.
+/// The crossings of a shadow ray with transmissive primitives.
 template <class Real>
 class SeeThrough {
   public:
     /// \param distance  to the light
     SeeThrough(const World<Real>& world, Real distance) : world_(world), distance_(distance) {}
 
-    /// A search looks a little past the light: another formula may put the same crossing before it.
+    /// The end of the search, a little beyond the light: a crossing near the light may lie before
+    /// it when another formula computes it.
     Real reach() const { return distance_ * (1 + Real(0x1p-20)); }
 
-    /// Takes one crossing of a transmissive primitive.
+    /// Adds one crossing of a transmissive primitive.
     ///
     /// \param touched  whether the ray starts on the primitive
     void add(std::uint32_t primitive, const Crossing<Real>& c, bool touched) {
@@ -38,10 +39,10 @@ class SeeThrough {
         if (clear_) passes_.push_back({c.t, c.error, primitive, c.entering, touched});
     }
 
-    /// Sorts what was found, and tells whether it is all that there is to know.
+    /// Sorts the crossings. Returns whether they are enough for transmittance().
     ///
     /// \param start   where the search began
-    /// \param bodies  around its first part
+    /// \param bodies  that contain the first part of the ray
     bool tells_all(const Start<Real>& start, const MediaList& bodies) {
         if (!clear_ || !start.fresh || start.t != 0) return false;
         for (const std::uint32_t body : bodies) {
@@ -53,15 +54,15 @@ class SeeThrough {
         for (std::size_t i = 1; i < passes_.size(); ++i) {
             const Pass& before = passes_[i - 1];
             const Pass& pass = passes_[i];
-            // A primitive that the ray starts on is met by another formula once it has passed
-            // something else.
+            // light_by_contacts() uses another formula for a primitive that the ray starts on, once
+            // the ray has passed another surface.
             if (pass.touched || !(pass.t - before.t > apart * (before.error + pass.error)))
                 return false;
         }
         return !hides_a_way_out(start, bodies);
     }
 
-    /// The product over all surfaces that are passed, in their order.
+    /// The product of the transmittances of all surfaces that the ray passes, in their order.
     template <class Recorder = const Unrecorded>
     Vec3<Real> transmittance(MediaList bodies, Recorder& recorder = unrecorded) const {
         Vec3<Real> light(1);
@@ -89,12 +90,12 @@ class SeeThrough {
         bool touched;
     };
 
-    /// Eight bounds: hits that are one contact lie within two (NearestContact).
+    /// In error bounds. Hits of one contact lie within two of them (NearestContact).
     static constexpr Real apart = 8;
     static constexpr std::size_t most = 64;
 
-    /// Whether the ray starts on a body that it is in and no crossing leads out of it: the light is
-    /// inside, or rounding hides the way out.
+    /// Whether the ray starts on a body that it is inside of, and its first crossing is not with
+    /// that body. The light may be inside, or rounding may hide the exit.
     bool hides_a_way_out(const Start<Real>& start, const MediaList& bodies) const {
         return std::any_of(
             start.surfaces.begin(), start.surfaces.end(), [&](const SurfaceId& surface) {

@@ -1,4 +1,4 @@
-// How much of a light reaches a point.
+// Shadows: the share of a lamp's light that reaches a point.
 #pragma once
 
 #include "tracer/intersect/media.h"
@@ -14,16 +14,17 @@ namespace lancer {
 /// What lies on the way to a light.
 enum class Occlusion { clear, blocked, filtered };
 
-/// What query_occlusion() has found, and where it is.
+/// The state of query_occlusion().
 template <class Real, class Bodies>
 struct OcclusionQuery {
     const World<Real>& world;
     const IntersectionFilter<Real, Bodies>& accept;
     const Start<Real>& start;
     Real distance;  ///< to the light
-    /// Gets the crossings with what only filters; null: that there are some is enough.
+    /// Collects the crossings with surfaces that filter. If null, the query only finds out whether
+    /// there are any.
     SeeThrough<Real>* see_through = nullptr;
-    std::uint32_t at = none;  ///< the primitive that is asked about
+    std::uint32_t at = none;  ///< the primitive that is being tested
     Occlusion occlusion = Occlusion::clear;
 
     static constexpr bool light_may_pass = !std::is_same_v<Bodies, NoMedia>;
@@ -31,8 +32,8 @@ struct OcclusionQuery {
     bool looks_through() const { return light_may_pass && see_through != nullptr; }
     bool collects() const { return looks_through() && only_filters(); }
 
-    /// A primitive that only filters is asked for entries and exits: the ray may enter it and later
-    /// leave it.
+    /// For a primitive that filters, both entries and exits are needed: the ray may enter it and
+    /// leave it later.
     IntersectionHints hints() const {
         IntersectionHints hints = accept.hints(at);
         if (collects()) hints.one_way = false;
@@ -40,7 +41,7 @@ struct OcclusionQuery {
     }
 };
 
-/// The interval to the light, for shapes: RayInterval.
+/// The end of the interval up to the light, as RayInterval passes it to shapes.
 template <class Real, class Bodies>
 struct LightInterval {
     OcclusionQuery<Real, Bodies>& query;
@@ -48,7 +49,8 @@ struct LightInterval {
     Real operator()() const {
         return query.looks_through() ? query.see_through->reach() : query.distance;
     }
-    /// A crossing farther ahead than its error counts, unless the ray starts on the primitive.
+    /// Accepts an estimate [low, high] that lies wholly between start and light, unless the ray
+    /// starts on the primitive or its crossings are collected.
     bool accepts_estimate(Real low, Real high) const {
         if (!(low > query.start.t && high < query.distance)) return false;
         if (query.collects() || query.accept.starts_on(query.at)) return false;
@@ -57,9 +59,10 @@ struct LightInterval {
     }
 };
 
-/// Reports the crossings with planes that plain numbers do not settle, until one blocks the way.
+/// Tests all planes until one blocks the light. Calls `report` with a plane's exact crossings where
+/// the estimate does not decide.
 ///
-/// \param is_seen  called with the primitive before it is asked about
+/// \param is_seen  called with a primitive before its test; false leaves it out
 template <class Real, class Bodies, class Last, class Sees, class Report>
 [[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
                                                      const IntersectionFilter<Real, Bodies>& accept,
@@ -77,8 +80,9 @@ template <class Real, class Bodies, class Last, class Sees, class Report>
     }
 }
 
-/// Looks once along the way to the light: an opaque surface ends it; that something transmissive
-/// lies there is noted, and its crossings are collected where somebody wants them.
+/// Searches once between start and light. The first opaque surface that is found ends the search.
+/// Otherwise the result says whether there are transmissive surfaces; `see_through` collects their
+/// crossings if it is not null.
 template <class Real, class Bodies, class Recorder = const Unrecorded>
 Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real distance,
                           const Start<Real>& start, const Bodies& bodies,
@@ -116,14 +120,15 @@ Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real d
     return query.occlusion;
 }
 
-/// The share of light that is left on a way on which only filters lie, from contact to contact: the
-/// product of T over every surface crossed and of the absorption in between.
+/// The share of light that passes where no opaque surface lies before the light, computed from
+/// contact to contact: the product of T over all surfaces crossed and of the transmittance of the
+/// media in between.
 template <class Real, class Recorder = const Unrecorded>
 Vec3<Real> light_by_contacts(const World<Real>& world, const Ray<Real>& ray, Real distance,
                              Start<Real> start, Media media, bool filtered,
                              Recorder& recorder = unrecorded) {
     MediaList& bodies = media.bodies;
-    // What casts no shadow does not weaken light inside it either.
+    // A body that casts no shadow does not absorb light either.
     const auto casts_none = [&](std::uint32_t body) {
         return !world.primitives[body].casts_shadow;
     };
@@ -160,10 +165,10 @@ Vec3<Real> light_by_contacts(const World<Real>& world, const Ray<Real>& ray, Rea
     return light;
 }
 
-/// The share of light that comes straight to the start of `ray` from `distance` away. No
-/// refraction, no limit on the number of surfaces.
+/// The share of light that comes straight from `distance` away to the start of `ray`. Without
+/// refraction, and without a limit on the number of surfaces.
 ///
-/// \param media  around the first part of the way
+/// \param media  around the first part of the ray
 template <class Real, class Recorder = const Unrecorded>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
                          const Start<Real>& start, const Media& media,
@@ -178,7 +183,7 @@ Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real di
     return light_by_contacts(world, ray, distance, start, media, filtered, recorder);
 }
 
-/// The same where no light passes through anything.
+/// The same in worlds where all surfaces are opaque.
 template <class Real, class Recorder = const Unrecorded>
 Vec3<Real> light_through(const World<Real>& world, const Ray<Real>& ray, Real distance,
                          const Start<Real>& start, NoMedia media, Recorder& recorder = unrecorded) {

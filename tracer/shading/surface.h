@@ -1,4 +1,4 @@
-// Hits become surfaces: place, normals, colour and how much light passes.
+// From a hit to a surface: its point, normals, colour and transmittance.
 #pragma once
 
 #include "tracer/intersect/nearest_contact.h"
@@ -9,7 +9,7 @@
 
 namespace lancer {
 
-/// A hit with all that shading asks of it, in world space.
+/// A hit with all data that shading needs, in world space.
 template <class Real>
 struct Surface {
     SurfaceId id;
@@ -17,17 +17,17 @@ struct Surface {
     const Finish<Real>* finish = nullptr;
     Vec3<Real> position;  ///< the point is position + position_lo
     Vec3<Real> position_lo;
-    Real error;            ///< bound on its distance from the true surface
+    Real error;            ///< bound on the point's distance from the true surface
     Vec3<Real> geometric;  ///< unit, outward
     Vec3<Real> normal;     ///< shading normal, unit, turned towards the viewer
     Vec3<Real> color;
-    Vec3<Real> transmittance;  ///< T: the share that passes, per channel
+    Vec3<Real> transmittance;  ///< T: the share of light that passes, per channel
     Real opacity;
     bool outermost = false;  ///< on the convex hull of the primitive
 };
 
-/// The solid that a straight line in this direction leaves at the surface, never to meet it again;
-/// none where it goes in, or may come back.
+/// The primitive of the surface, if a straight line in this direction leaves it and cannot meet it
+/// again; else none.
 template <class Real>
 std::uint32_t left_for_good(const Surface<Real>& s, const Vec3<Real>& direction) {
     const bool stays_out = s.primitive->convex || s.outermost;
@@ -59,7 +59,7 @@ SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& 
                 }
                 return p;
             } else if constexpr (std::is_same_v<S, CompositeSolid<Real>>) {
-                return {};  // its leaves have faces, and it has none
+                return {};  // never reached: hits of a composite belong to its leaves
             } else {
                 return surface_point(solid, ray, hit.t, hit.surface.face);
             }
@@ -67,7 +67,7 @@ SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& 
         primitive.solid);
 }
 
-/// Only what decides about passing light: for shadow rays, which need no normals.
+/// Sets the colour, the transmittance and the opacity.
 template <class Real>
 void set_color(const World<Real>& world, const FaceOwner<Real>& owner,
                const SurfacePoint<Real>& local, Surface<Real>& s) {
@@ -118,7 +118,7 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, Hit<R
     } else {
         const Frame<Real>& frame = world.frames[primitive.frame];
         local = local_point(world, primitive, to_local(ray, frame), hit);
-        // Both parts are mapped on their own, so that a large shift costs the small part nothing.
+        // Both parts are mapped separately, so that a large shift does not round the small part.
         const Vec3<Real> anchor = map_vector(frame.to_world, local.anchor);
         const Vec3<Real> offset = map_vector(frame.to_world, local.offset);
         const DoubleWordVector<Real> inner = two_sum(anchor, offset);

@@ -1,4 +1,4 @@
-// Colours that vary over a surface: the dispatch over patterns and mappings of tracer/textures/.
+// Colours that vary over a surface: chooses between the patterns and mappings of tracer/textures/.
 #pragma once
 
 #include "tracer/rays/surface_point.h"
@@ -6,8 +6,8 @@
 
 namespace lancer {
 
-/// Interpolated between the colours of the three corners with the weights of the hit. What has none
-/// is white: the parser lets no other shape wear them.
+/// Interpolates the colours of a face's corners by the hit's barycentric coordinates. White without
+/// such colours; the parser allows them only on meshes that have them.
 template <class Real>
 Vec3<Real> vertex_color(const Primitive<Real>& primitive, const SurfacePoint<Real>& hit,
                         std::uint32_t face) {
@@ -24,7 +24,7 @@ Vec3<Real> vertex_color(const Primitive<Real>& primitive, const SurfacePoint<Rea
 /// The colour of texture `texture` at a point of a textured primitive.
 ///
 /// \param hit   in the primitive's own space
-/// \param face  of the primitive, as its shape numbers them
+/// \param face  the number of the face, as the shape counts them
 template <class Real>
 TextureColor<Real> texture_color(const World<Real>& world, std::uint32_t texture,
                                  const Primitive<Real>& primitive, const SurfacePoint<Real>& hit,

@@ -1,12 +1,12 @@
-// The recorder of ordinary rendering: it is empty.
+// The recorder of ordinary rendering, which records nothing.
 #pragma once
 
 namespace lancer {
 
-/// Stands where RayTreeRecorder may stand (tracer/recursion/ray_tree_recorder.h), which says what
-/// these functions are told. They are empty, so ordinary rendering pays nothing for them.
+/// Has the functions of RayTreeRecorder (tracer/recursion/ray_tree_recorder.h), which documents
+/// them. They are empty here, so ordinary rendering does not pay for them.
 struct Unrecorded {
-    /// Whether light is formed; false leaves local_color() out.
+    /// Whether local light is computed; if false, local_color() returns black.
     static constexpr bool wants_light = true;
 
     void begin_camera_ray() const {}
