@@ -1,4 +1,4 @@
-// Where a ray goes into a composite and out of it: where the state of the whole changes.
+// The crossings of a ray with a composite: where the state of the whole changes.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,19 @@
 
 namespace lancer {
 
-/// What is known about a ray and a composite before their crossings are computed.
+/// What is known of a ray and a composite before their crossings are computed.
 template <class Real>
 struct CompositeStart {
-    const Start<Real>* start = nullptr;  ///< null: nothing; all crossings of the line are wanted
-    std::uint32_t primitive = none;      ///< the composite, as `start` names it
-    std::optional<bool> inside{};        ///< whether the ray is in it, where a list tells
+    const Start<Real>* start = nullptr;  ///< null: unknown; all crossings of the line are reported
+    std::uint32_t primitive = none;      ///< the composite's number, as in `start`
+    std::optional<bool> inside{};  ///< whether the ray's list of bodies contains it, if listed
 };
 
 /// The crossings of one ray with one composite.
 ///
-/// All crossings of leaves that cannot be told apart happen at once, as in a contact of several
-/// objects: their bounds decide. Whether a leaf holds a point follows from what the ray crosses
-/// beyond it, so the line is gone through from its far end back to the start.
+/// Crossings of leaves whose error bounds overlap happen at once, like a contact of several
+/// objects. The crossings beyond a point decide whether a leaf contains the point. So the walk goes
+/// from the far end of the line back to the start.
 template <class Real>
 class CompositeWalk {
   public:
@@ -41,17 +41,17 @@ class CompositeWalk {
         if (fresh_) cross_start(ahead);
     }
 
-    /// Whether the ray is in the whole once it has started.
+    /// Whether the ray is inside the whole just beyond its start.
     bool starts_inside() const { return at_start_; }
 
-    /// report(Crossing, u, v) returns true to stop.
+    /// Reports the crossings: report(Crossing, u, v) returns true to stop.
     template <class Last, class Report>
     void tell(const RayInterval<Real, Last>& interval, Report&& report) const {
         bool inside = known_.inside.value_or(expected_);
         std::size_t next = 0;
         if (known_.start != nullptr && inside != at_start_) {
             if (next < changes_.size() && is_at_once(changes_[next])) {
-                ++next;  // as near as rounding can tell, the ray is where it was said to be
+                ++next;  // rounding cannot tell it from the start, so it counts as passed
             } else {
                 if (at_once_ && tell_of(*at_once_, interval, report)) return;
                 inside = at_start_;
@@ -68,11 +68,11 @@ class CompositeWalk {
   private:
     using Event = CompositeEvent<Real>;
 
-    /// A contact at which the whole is entered or left.
+    /// A contact at which the ray enters or leaves the whole.
     struct Change {
         Real t, error;
-        std::size_t shown;       ///< in events_: whose face it is; `no_event`: the start's
-        std::size_t begin, end;  ///< of the contact's events
+        std::size_t shown;  ///< index of the event whose face shows; `no_event`: the start's face
+        std::size_t begin, end;  ///< range of the contact's events
         bool entering;
     };
     struct Range {
@@ -93,7 +93,8 @@ class CompositeWalk {
     }
     bool is_ahead(const Event& e) const { return e.t - known_.start->t > e.error; }
 
-    /// Moves the events that are wanted to the front, each part in its order. Returns their number.
+    /// Moves the wanted events to the front, and keeps the order of both parts. Returns the number
+    /// of wanted events.
     template <class Wanted>
     std::size_t put_first(const Wanted& wanted) {
         const auto begin = events_.begin();
@@ -103,7 +104,8 @@ class CompositeWalk {
         return static_cast<std::size_t>(end - begin);
     }
 
-    /// From the first event on: it, and what cannot be told apart from it.
+    /// Groups the events from `begin` on into contacts: the next event, and all events whose error
+    /// bounds overlap its own.
     void make_contacts(std::size_t begin) {
         Real widest = 0;
         for (std::size_t i = begin; i < events_.size(); ++i)
@@ -126,7 +128,7 @@ class CompositeWalk {
         }
     }
 
-    /// Undoes a contact, and returns what it did to the whole.
+    /// Undoes a contact. Returns the change of the whole, if there is one.
     std::optional<Change> undo(const Range& contact) {
         const bool after = state_.holds();
         const auto begin = events_.begin() + static_cast<std::ptrdiff_t>(contact.begin);
@@ -138,7 +140,7 @@ class CompositeWalk {
         turned_.clear();
         for (auto e = begin; e != end;) {
             const std::uint32_t leaf = e->leaf;
-            // Two faces of a mesh that meet at an edge are one way in.
+            // Entries through two faces that meet at an edge count as one; so do exits.
             std::size_t in = no_event;
             std::size_t out = no_event;
             for (; e != end && e->leaf == leaf; ++e) {
@@ -159,9 +161,9 @@ class CompositeWalk {
         return std::nullopt;
     }
 
-    /// From the far end back: fills changes_, the nearest first.
+    /// Goes from the far end back to the start, and fills changes_, the nearest first.
     void go_back() {
-        std::size_t passed = 0;  // contacts that the ray has behind it
+        std::size_t passed = 0;  // contacts behind the ray's start
         if (known_.start != nullptr && !fresh_) {
             while (passed < contacts_.size() && !is_ahead(events_[contacts_[passed].begin]))
                 ++passed;
@@ -178,12 +180,12 @@ class CompositeWalk {
         if (at_once_ && known_.start->t - at_once_->t <= at_once_->error) expected_ = !at_start_;
     }
 
-    /// What lies at the start, or before it: where the ray may be found on the other side than it
-    /// was said to be.
+    /// Undoes the contact at or before the start, and sets at_once_: the change to report if the
+    /// list of bodies puts the ray on the wrong side.
     void cross_start(std::size_t end) {
         const std::uint32_t own = search_.first_started();
         if (own != none) {
-            // A ray that starts on a face is on the side of it that it goes to.
+            // A ray that starts on a face is on the side to which its direction points.
             expected_ = (state_.depth(own) > 0) != tree_.leaves[own].subtracted;
         }
         std::size_t begin = 0;
@@ -194,7 +196,7 @@ class CompositeWalk {
         if (at_once_ && own == none && !known_.inside) expected_ = !at_start_;
     }
 
-    /// Whether rounding cannot tell the contact from the start.
+    /// Whether the distance between start and contact is below the rounding error.
     bool is_at_once(const Change& change) const {
         const Real reach = 4 * ray_.origin_error + 8 * change.error +
                            gamma<Real>(16) * max_component(absolute(ray_.origin));
@@ -235,9 +237,9 @@ class CompositeWalk {
     boost::container::small_vector<Range, 16> contacts_;
     boost::container::small_vector<Change, 16> changes_;
     boost::container::small_vector<std::size_t, 8> turned_;
-    std::optional<Change> at_once_;  ///< how the ray comes to be where it is
-    bool at_start_ = false;
-    bool expected_ = false;  ///< whether it is taken to be inside, where no list tells
+    std::optional<Change> at_once_;  ///< the change at or before the start
+    bool at_start_ = false;          ///< whether the ray is inside just beyond its start
+    bool expected_ = false;          ///< whether it counts as inside if no list says so
 };
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// Where a line crosses the leaves of a composite.
+// The crossings of a line with the leaves of a composite.
 #pragma once
 
 #include <algorithm>
@@ -24,9 +24,10 @@ struct CompositeEvent {
 template <class Real>
 using CompositeEvents = boost::container::small_vector<CompositeEvent<Real>, 16>;
 
-/// A line that runs within a flat face has the body beside it, and no crossing tells on which side:
-/// all faces are then taken to lie a little lower along x than they are, those across x along y,
-/// and so on. So of two bodies glued together at the face the line is in exactly one.
+/// Whether a body counts as containing the plane of a flat face, for lines that run within the
+/// plane. No crossing shows on which side of the face such a line runs. The face therefore counts
+/// as moved a little towards lower x; towards lower y if it contains the x direction, and towards
+/// lower z if it contains both. So the line is in exactly one of two bodies glued at the face.
 template <class Real>
 bool holds_its_plane(const Vec3<Real>& outward) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -35,8 +36,8 @@ bool holds_its_plane(const Vec3<Real>& outward) {
     return false;
 }
 
-/// Whether the line runs within a flat face of the leaf that does not hold its plane. Here: of a
-/// box.
+/// Whether the line runs within a flat face whose body does not contain the plane
+/// (holds_its_plane). For a box.
 template <class Real>
 bool runs_beside(const BoxSolid<Real>& box, const Ray<Real>& ray) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -45,7 +46,7 @@ bool runs_beside(const BoxSolid<Real>& box, const Ray<Real>& ray) {
     return false;
 }
 
-/// The same of a cap of a cylinder or cone along a coordinate axis.
+/// The same for a cap of a cylinder or cone along a coordinate axis.
 template <class Real>
 bool runs_beside(const FrustumSolid<Real>& f, const Ray<Real>& ray) {
     if (f.tilted || !(dot(f.axis, ray.dir) == 0)) return false;
@@ -54,7 +55,7 @@ bool runs_beside(const FrustumSolid<Real>& f, const Ray<Real>& ray) {
     return (in_small && !holds_its_plane(-f.axis)) || (in_large && !holds_its_plane(f.axis));
 }
 
-// Round all over, or told by crossings of their own: triangles and splines.
+// Balls and tori have no flat faces. Triangles and splines have crossings for such lines as well.
 template <class Real>
 bool runs_beside(const BallSolid<Real>&, const Ray<Real>&) {
     return false;
@@ -76,20 +77,21 @@ bool runs_beside(const PrismSolid<Real>&, const Ray<Real>&) {
     return false;
 }
 
-/// Half spaces have a search of their own, sheets are no leaves, and composites in composites are
-/// taken apart before.
+/// False for half spaces, which have their own search; for sheets, which cannot be leaves; and for
+/// composites, whose parts become leaves when they are compiled.
 template <class S, class Real>
 inline constexpr bool has_crossings_as_leaf =
     !(std::is_same_v<S, HalfSpace<Real>> || std::is_same_v<S, TriangleSheet<Real>> ||
       std::is_same_v<S, PatchSolid<Real>> || std::is_same_v<S, BicubicSolid<Real>> ||
       std::is_same_v<S, FacetSolid<Real>> || std::is_same_v<S, CompositeSolid<Real>>);
 
-/// Finds the crossings of a line with a composite's leaves, from a parameter on.
+/// Finds the crossings of a line with a composite's leaves.
 template <class Real>
 class CompositeSearch {
   public:
-    /// \param first  crossings before this parameter by more than their error may be left out
-    /// \param start  null, or the faces that the line starts on, one of its own per primitive
+    /// \param first  crossings that lie before this parameter by more than their error may be
+    ///               missing
+    /// \param start  the faces that the line starts on; may be null
     CompositeSearch(const CompositeTree<Real>& tree, const Ray<Real>& ray, Real first,
                     const SurfaceList* start, std::uint32_t primitive)
         : tree_(tree), ray_(ray), first_(first) {
@@ -102,7 +104,7 @@ class CompositeSearch {
         }
     }
 
-    /// Fills `events`, in no order, and enters the leaves that hold the line's far end.
+    /// Fills `events`, in no order, and sets the leaves that contain the line's far end in `state`.
     void find(CompositeEvents<Real>& events, CompositeState<Real>& state) const {
         for (const std::uint32_t leaf : tree_.half_spaces) add_half_space(leaf, events, state);
         traverse(tree_.bvh, ray_, first_, endless<Real>,
@@ -114,7 +116,7 @@ class CompositeSearch {
     }
 
     bool starts_on(std::uint32_t leaf) const { return start_face(leaf) != none; }
-    /// The leaf whose face the line starts on; none where there is no such leaf.
+    /// The first leaf on a face of which the line starts, or none.
     std::uint32_t first_started() const { return started_.empty() ? none : started_.front().leaf; }
     std::uint32_t first_face() const { return started_.front().face; }
 
@@ -136,7 +138,7 @@ class CompositeSearch {
         bool crosses = slope != 0;
         if (crosses && !starts_on(index)) {
             const auto report = [&](const Crossing<Real>& c) {
-                crosses = c.t - c.t == 0;  // a number
+                crosses = c.t - c.t == 0;  // finite
                 if (crosses)
                     events.push_back({c.t, c.error, Real(0), Real(0), index, c.face, c.entering});
             };
@@ -171,8 +173,8 @@ class CompositeSearch {
             leaf.solid);
     }
 
-    /// Whether the line leads into a spline's or a ring's body from the face that it starts on:
-    /// such a body asks, all others know.
+    /// Whether the line leads into the body from the face that it starts on. Only spline bodies and
+    /// tori need this hint.
     template <class S>
     static bool leads_inside(const S& shape, const Ray<Real>& ray, const IntersectionHints& hints) {
         if constexpr (std::is_same_v<S, LatheSolid<Real>> || std::is_same_v<S, PrismSolid<Real>> ||

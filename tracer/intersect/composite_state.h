@@ -1,4 +1,4 @@
-// Which leaves of a composite hold a point, and so whether the whole does, as a ray goes along.
+// Which leaves of a composite contain a point, and whether the whole contains it, along a ray.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace lancer {
 
-/// The state of one composite along one line, from its far end back to the start. Costs what
-/// changes, not what there is: the memory is the thread's, and an entry of an earlier line is one
-/// that nobody has touched.
+/// The state of one composite along one line, from its far end back to the start. The cost is
+/// proportional to the number of changes, not to the number of leaves: the memory belongs to the
+/// thread and is not cleared; an entry counts only if its time stamp is that of the present line.
 template <class Real>
 class CompositeState {
   public:
@@ -21,15 +21,15 @@ class CompositeState {
         step_ = line_;
     }
 
-    /// Whether the whole holds the point.
+    /// Whether the whole contains the point.
     bool holds() const { return node_holds(0); }
-    /// How many times the leaf holds it: a mesh may lie within itself.
+    /// How many times the leaf contains it; a mesh may overlap itself.
     std::uint32_t depth(std::uint32_t leaf) const {
         const LeafEntry& entry = memory_.leaves[leaf];
         return entry.line == line_ ? entry.depth : 0;
     }
 
-    /// Forgets what changed so far: see changed().
+    /// Begins a step, to which changed_the_whole() refers.
     void begin_step() { step_ = ++memory_.clock; }
 
     void set_depth(std::uint32_t leaf, std::uint32_t depth) {
@@ -38,8 +38,8 @@ class CompositeState {
         if (before != (depth > 0)) change(tree_.leaves[leaf].link, depth > 0);
     }
 
-    /// Whether the leaf, whose own state has changed, changed all that it is a part of. Of the
-    /// leaves that changed together at least one did whenever the whole did.
+    /// Whether, in this step, every node above the leaf changed. The leaf itself must have changed.
+    /// If the whole changed, this holds for at least one of the leaves that changed.
     bool changed_the_whole(std::uint32_t leaf) const {
         std::uint32_t node = tree_.leaves[leaf].link.parent;
         for (; node != none; node = tree_.nodes[node].link.parent) {
@@ -77,7 +77,7 @@ class CompositeState {
     }
     bool node_holds(std::uint32_t node) const { return tree_.nodes[node].holds(sum(node)); }
 
-    /// A child holds the point now, or does no more.
+    /// A child contains the point from now on, or no longer.
     void change(CompositeLink link, bool holds) {
         while (link.parent != none) {
             const CompositeNode& node = tree_.nodes[link.parent];

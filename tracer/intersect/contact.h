@@ -19,7 +19,7 @@ struct Hit {
     Real t;
     Real error;
     SurfaceId surface;
-    Real u = 0;  ///< weights of the second and third corner, triangles only
+    Real u = 0;  ///< barycentric coordinates of the second and third corner; triangles only
     Real v = 0;
 };
 
@@ -35,12 +35,13 @@ using Contact = boost::container::small_vector<Hit<Real>, 4>;
 template <class Real>
 class NearestContact {
   public:
-    /// \param contact  empty; will have the nearest hit in front, for the caller to reorder
+    /// \param contact  empty; receives the hits, the nearest first
     explicit NearestContact(Contact<Real>& contact) : contact_(contact) {}
 
     Real limit() const { return limit_; }
 
-    /// Something will be added later, beyond which nothing belongs to the contact.
+    /// Announces a hit that will be added later, so that nothing beyond `limit` can belong to the
+    /// contact.
     void expect(Real limit) {
         if (limit < limit_) limit_ = limit;
     }
@@ -52,7 +53,7 @@ class NearestContact {
         expect(hit.t + 8 * hit.error);
     }
 
-    /// Nothing will be added any more: drops what is not in the contact after all.
+    /// Call after the last add(): drops the hits that do not belong to the contact.
     void settle() {
         if (contact_.size() < 2) return;
         const Hit<Real> nearest = contact_.front();
@@ -83,11 +84,11 @@ class NearestContact {
         if (a.t != b.t) return a.t < b.t;
         return a.surface.primitive < b.surface.primitive;
     }
-    Contact<Real>& contact_;  ///< others than the first may be too far by now
+    Contact<Real>& contact_;  ///< hits after the first may lie beyond the present limit
     Real limit_ = std::numeric_limits<Real>::infinity();
 };
 
-/// Sorts a contact as it is crossed: entries before exits, each in the order of declaration.
+/// Sorts a contact: entries before exits, each in the order of declaration.
 template <class Real>
 void order_contact(const World<Real>& world, Contact<Real>& contact) {
     if (contact.size() < 2) return;

@@ -1,4 +1,5 @@
-// At an edge or a corner of a mesh: a ray that one face turns may lead straight through the next.
+// Edges and corners of a mesh: a ray that one face refracts or mirrors may go straight through the
+// adjacent face.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 
 namespace lancer {
 
-/// A face of a mesh in the mesh's own space, with a unit normal that looks out of the body.
+/// A face of a mesh in the mesh's own space, with a unit normal that points out of the body.
 template <class Real>
 struct OrientedFace {
     TriangleSheet<Real> triangle;
@@ -22,7 +23,8 @@ struct OrientedFace {
     }
 };
 
-/// Weights of the second and third corner at the point of the triangle's plane next to `point`.
+/// Barycentric coordinates of the second and third corner at the point of the triangle's plane that
+/// is nearest to `point`.
 template <class Real>
 Vec2<Real> weights_at(const TriangleSheet<Real>& triangle, const Vec3<Real>& point) {
     const Vec3<Real> ab = triangle.b - triangle.a;
@@ -40,12 +42,13 @@ bool is_near_edge(const TriangleSheet<Real>& triangle, const Vec3<Real>& point, 
     const Vec3<Real> ac = triangle.c - triangle.a;
     const Vec2<Real> w = weights_at(triangle, point);
     const Real area = length(cross(ab, ac));
-    // A weight times the height over its edge is the distance from that edge.
+    // A barycentric coordinate times the height over its edge is the distance from that edge.
     return w.x * area <= reach * length(ac) || w.y * area <= reach * length(ab) ||
            (1 - w.x - w.y) * area <= reach * length(ac - ab);
 }
 
-/// The weights where the point is within `reach` of the triangle.
+/// The barycentric coordinates of the triangle's point near `point`; nothing if it is farther than
+/// `reach`.
 template <class Real>
 std::optional<Vec2<Real>> weights_near(const TriangleSheet<Real>& triangle, const Vec3<Real>& point,
                                        Real reach) {
@@ -59,8 +62,8 @@ std::optional<Vec2<Real>> weights_near(const TriangleSheet<Real>& triangle, cons
     return w;
 }
 
-/// Whether the body bulges where two of its faces meet: then the other face lies behind this one.
-/// The corners that they share add no more than rounding.
+/// Whether two faces of a body meet in a convex edge. The other face then lies behind the plane of
+/// this one. The corners that they share add only rounding errors to the sum.
 template <class Real>
 bool is_convex_edge(const OrientedFace<Real>& face, const TriangleSheet<Real>& other) {
     Real height = 0;
@@ -92,13 +95,14 @@ void faces_near(const TriangleMesh<Real>& mesh, const Vec3<Real>& point, Real re
     }
 }
 
-/// What a ray that was turned on a face of a mesh meets before it has gone anywhere, because it
-/// started next to an edge, as near as rounding can tell, and leads through the face behind that:
-/// out of a body that bulges there, or into one that is hollow there. The search may miss both
-/// faces by rounding, so this function takes the side from the ray's list of bodies.
+/// The adjacent face hit of a ray that a face of a mesh refracted or mirrored; empty if there is
+/// none. If the distance between the ray's start and an edge is below the rounding error, the ray
+/// may go straight through the face behind that edge: out of the body at a convex edge, into it at
+/// a concave one. The search may miss both faces by rounding. So this function takes the side from
+/// the ray's list of bodies.
 ///
 /// \param turn    the face that the ray starts on
-/// \param bodies  that the ray is in
+/// \param bodies  that contain the ray
 template <class Real>
 Contact<Real> adjacent_face_hit(const World<Real>& world, const Ray<Real>& ray,
                                 const SurfaceId& turn, const MediaList& bodies) {
@@ -112,8 +116,8 @@ Contact<Real> adjacent_face_hit(const World<Real>& world, const Ray<Real>& ray,
         primitive.frame == none ? ray : to_local(ray, world.frames[primitive.frame]);
     const Vec3<Real> start = local.origin + local.origin_lo;
     const OrientedFace<Real> from(mesh, turn.face);
-    // The start's bound is of its distance from the face; along it, and in the crossings computed
-    // from it, rounding goes by the sizes of the face and of the coordinates.
+    // origin_error bounds the start's distance from the face. Its error along the face, and the
+    // errors of crossings computed from it, grow with the sizes of the face and of the coordinates.
     const Real size = max_component(absolute(from.triangle.b - from.triangle.a)) +
                       max_component(absolute(from.triangle.c - from.triangle.a));
     const Real reach =

@@ -1,5 +1,5 @@
-// Which crossings count for a ray, by where it starts (Start) and the bodies that it is in
-// (MediaList, or NoMedia where no world's ray is in any).
+// Which crossings count for a ray. This depends on where it starts (Start) and on the bodies that
+// it is in (MediaList, or NoMedia in worlds without transparent surfaces).
 #pragma once
 
 #include <algorithm>
@@ -12,33 +12,36 @@
 namespace lancer {
 
 using SurfaceList = boost::container::small_vector<SurfaceId, 4>;
-/// The bodies (primitives) that a ray is inside of, in the order entered. No fixed limit.
+/// The bodies (primitives) that a ray is inside of, in the order in which it entered them. Their
+/// number has no fixed limit.
 using MediaList = boost::container::small_vector<std::uint32_t, 8>;
 
-/// Stands in its place in a world that no light passes through, where nobody asks what a ray is in:
-/// code for such worlds is compiled without all that lists would cost (docs/performance.md).
+/// Replaces MediaList in worlds where all surfaces are opaque. There no list is needed, and the
+/// code is compiled without the cost of one (docs/performance.md).
 struct NoMedia {};
 
 inline bool contains(const MediaList& media, std::uint32_t primitive) {
     return std::find(media.begin(), media.end(), primitive) != media.end();
 }
 
-/// Where a ray goes on from.
+/// Where a ray starts or continues.
 template <class Real>
 struct Start {
     Real t = 0;                 ///< hits before this parameter are behind
-    SurfaceList surfaces{};     ///< of the contact it comes from
-    std::uint32_t left = none;  ///< a convex solid that it leaves for good: left_for_good()
-    /// The origin lies on `surfaces`; else the ray passed straight through them at t.
+    SurfaceList surfaces{};     ///< of the contact that it comes from
+    std::uint32_t left = none;  ///< a solid that it leaves for good: left_for_good()
+    /// True: the origin lies on `surfaces`. False: the ray passed straight through them at t.
     bool fresh = true;
 };
 
-/// Which crossings count, for a ray with this start and these bodies around it.
+/// Decides which crossings count, for a ray with this start and these bodies around it.
 ///
-/// A body that matters as a medium follows the state rule: one that the ray is in can only be left,
-/// one that it is not in only entered, at zero distance too. So coincident and glued faces need no
-/// tolerance. Everything else must lie ahead by more than its error bound, except that a ray enters
-/// an opaque body at distance zero when it stays in it for longer than rounding could explain.
+/// The state rule holds for media: the ray can only leave a body that it is in, and only enter a
+/// body that it is not in; this also holds at distance 0. So coincident and glued faces need no
+/// tolerance. Any other crossing must lie ahead by more than its error bound. There is one
+/// exception: a ray enters an opaque body at distance 0 if its chord in the body is longer than
+/// rounding errors.
+///
 /// \tparam Bodies  MediaList, or NoMedia
 template <class Real, class Bodies>
 class IntersectionFilter {
@@ -76,23 +79,23 @@ class IntersectionFilter {
         if (is_medium(p)) return contains_here(primitive) != c.entering;
         if (ahead > c.error) return true;
         if (touched && p.composite() == nullptr) return false;
-        return p.body && c.entering && c.chord > 4 * c.error;  // enters a wall
+        return p.body && c.entering && c.chord > 4 * c.error;  // enters an opaque body
     }
 
     const Start<Real>& start() const { return start_; }
-    /// Whether the ray is in the body, where its list tells.
+    /// Whether the ray is in the body; nothing if the body is not a medium.
     std::optional<bool> state_of(std::uint32_t primitive) const {
         if (!is_medium(world_.primitives[primitive])) return std::nullopt;
         return contains_here(primitive);
     }
 
-    /// Whether a crossing in this sense counts when it lies ahead by more than its error and the
-    /// ray does not start on the primitive.
+    /// Whether an entry (`entering`) or an exit counts, if it lies ahead by more than its error and
+    /// the ray does not start on the primitive.
     bool lets_pass(std::uint32_t primitive, bool entering) const {
         return !is_medium(world_.primitives[primitive]) || contains_here(primitive) != entering;
     }
 
-    /// Where a crossing that counts is met: at the start when rounding put it before.
+    /// The parameter of a crossing that counts: the start if rounding put the crossing before it.
     Real met_at(const Crossing<Real>& c) const { return c.t < start_.t ? start_.t : c.t; }
 
     /// Whether the ray starts on the primitive, or passed straight through it just now.
@@ -107,21 +110,22 @@ class IntersectionFilter {
   private:
     static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
 
-    /// Nearly always decides at once what starts_on() asks.
+    /// A fast test: if false, the ray does not start on the primitive.
     bool may_touch(std::uint32_t primitive) const { return primitive == touched_ || touches_more_; }
 
-    /// Whether a crossing with what the ray starts on is one that it has behind it.
+    /// Whether a crossing with a primitive that the ray starts on is the one where it starts.
     [[gnu::noinline]] bool repeats(const Primitive<Real>& p, std::uint32_t primitive,
                                    const Crossing<Real>& c) const {
-        if (p.composite() != nullptr) return false;  // it leaves out what is behind itself
+        if (p.composite() != nullptr) return false;  // CompositeWalk leaves out such crossings
         for (const SurfaceId& s : start_.surfaces) {
             if (s.primitive != primitive) continue;
             if (start_.fresh ? traits_of(p.solid).face_by_face && s.face == c.face
                              : s.face == c.face && s.entering == c.entering)
                 return true;
         }
-        // What the ray has just left it cannot enter again at the same place: a convex solid never,
-        // another only farther on. Else a slab thinner than the bound would be entered for ever.
+        // A ray cannot enter again, at the same place, a solid that it has just left: a convex
+        // solid never, another one only farther on. Otherwise a ray would enter a slab that is
+        // thinner than the error bound again and again.
         return c.entering && (p.convex || !(c.t - start_.t > c.error));
     }
 

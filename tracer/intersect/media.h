@@ -1,4 +1,4 @@
-// The bodies that a ray is inside of, from the camera on.
+// Media: the lists of bodies that a ray is inside of.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,15 @@
 
 namespace lancer {
 
-/// What is around a ray.
+/// The media around a ray.
 struct Media {
-    /// The bodies that it is inside of, by the geometric normals: which crossings can come next,
-    /// and what absorbs.
+    /// The bodies that contain the ray, by the geometric normals. They decide which crossings can
+    /// come next, and what absorbs.
     MediaList bodies;
-    /// The bodies whose refractive index counts. Where the shading normal sends a refracted ray to
-    /// the side that it came from, or a mirrored one through the surface, the two lists differ:
-    /// docs/shading.md, "Smooth meshes". Kept only in worlds that have_smooth_media, else empty.
+    /// The bodies whose refractive indices count. The two lists differ where the shading normal
+    /// sends a refracted ray back to the side that it came from, or a mirrored ray through the
+    /// surface: docs/shading.md, "Smooth meshes". Used only in worlds with `has_smooth_media`, else
+    /// empty.
     MediaList optical;
 };
 
@@ -24,7 +25,7 @@ const MediaList& optical_of(const World<Real>& world, const Media& media) {
     return world.has_smooth_media ? media.optical : media.bodies;
 }
 
-/// Whether the line's start lies in the body. A start on its surface belongs to the side that the
+/// Whether the ray's origin lies in the body. An origin on its surface belongs to the side that the
 /// ray goes to.
 template <class Real>
 bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real>& ray) {
@@ -43,7 +44,7 @@ bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real
         const CompositeStart<Real> known{&here, index};
         return CompositeWalk<Real>(*tree, ray, known).starts_inside();
     }
-    int balance = 0;  // ways out less ways in, ahead
+    int balance = 0;  // exits minus entries ahead
     primitive_crossings(world, p, ray, IntersectionHints{}, whole_line<Real>(),
                         [&](const Crossing<Real>& c, Real, Real) {
                             if (c.t > c.error) balance += c.entering ? -1 : 1;
@@ -52,12 +53,13 @@ bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real
     return balance > 0;
 }
 
-/// The bodies around the origins of camera rays. Whose bounds hold an origin is found once for all
-/// rays that share it.
+/// The bodies around the origins of camera rays. The bodies whose bounds contain an origin are
+/// found once for all rays that share it.
 template <class Real>
 class CameraMedia {
   public:
-    /// Largest bounding box first, then in the order of declaration.
+    /// The bodies that contain the ray's origin: largest bounding box first, then in the order of
+    /// declaration.
     Media around(const World<Real>& world, const Ray<Real>& ray) {
         Media media;
         if (!world.has_media) return media;
@@ -79,10 +81,10 @@ class CameraMedia {
     }
 
     std::optional<Vec3<Real>> origin_;
-    MediaList near_;  ///< bodies whose bounds hold `origin_`
+    MediaList near_;  ///< bodies whose bounds contain `origin_`
 };
 
-/// Appends the body, or drops it if it is there.
+/// Appends the body, or removes it if it is in the list.
 inline void toggle(MediaList& media, std::uint32_t body) {
     const auto at = std::find(media.begin(), media.end(), body);
     if (at == media.end())
@@ -91,8 +93,8 @@ inline void toggle(MediaList& media, std::uint32_t body) {
         media.erase(at);
 }
 
-/// What is around a ray behind a contact: its entries appended, then its exits dropped. `contact`
-/// has entries first.
+/// The media around a ray behind a contact: bodies entered are appended, then bodies left are
+/// removed. `contact` has entries first.
 template <class Real>
 Media crossed(const World<Real>& world, const Media& media, const Contact<Real>& contact) {
     Media after = media;
@@ -107,7 +109,7 @@ Media crossed(const World<Real>& world, const Media& media, const Contact<Real>&
     return after;
 }
 
-/// The matter of the last body entered; null in empty space.
+/// The material of the body entered last; null in empty space.
 template <class Real>
 const Finish<Real>* medium_of(const World<Real>& world, const MediaList& media) {
     if (media.empty()) return nullptr;
@@ -120,8 +122,8 @@ Real index_of(const World<Real>& world, const Media& media) {
     return medium == nullptr ? Real(1) : medium->ior;
 }
 
-/// Drops the bodies that cannot hold a point beyond parameter t of the ray although they are in the
-/// list: a crossing was lost. Returns how many.
+/// Removes bodies from the list whose bounds do not contain the ray's point at parameter t: a
+/// crossing was lost. Returns how many.
 template <class Real>
 std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray, Real t) {
     using std::abs;
@@ -139,8 +141,8 @@ std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Re
     return lost;
 }
 
-/// A ray that meets nothing more is only inside half spaces; anything else in its list lost a
-/// crossing. Returns how many did.
+/// For a ray that meets nothing more. It can only be inside half spaces and other unbounded
+/// bodies, so any bounded body in its list lost a crossing. Removes these, and returns how many.
 template <class Real>
 std::uint64_t drop_bounded(const World<Real>& world, MediaList& media) {
     const auto bounded = [&](std::uint32_t body) { return body < world.bounded; };

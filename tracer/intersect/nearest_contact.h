@@ -1,4 +1,4 @@
-// What a ray meets next: the nearest contact. (The way to a light: shading/shadow.h.)
+// The nearest contact of a ray. (For shadow rays: shading/shadow.h.)
 #pragma once
 
 #include "tracer/bvh/traverse.h"
@@ -37,9 +37,9 @@ void primitive_crossings(const World<Real>& world, const Primitive<Real>& primit
                         interval, report);
 }
 
-/// The same for a ray with a start: a composite asks more about that than others.
+/// The same for a ray with a start, which a composite needs.
 ///
-/// \param hints  of `accept`, or a change of them
+/// \param hints  those of `accept`, or modified ones
 template <class Real, class Bodies, class Last, class Report>
 void crossings_from(const World<Real>& world, std::uint32_t index, const Ray<Real>& ray,
                     const IntersectionFilter<Real, Bodies>& accept, IntersectionHints hints,
@@ -53,14 +53,14 @@ void crossings_from(const World<Real>& world, std::uint32_t index, const Ray<Rea
     }
 }
 
-/// One of primitives[planes..].
+/// The plane of a primitive in primitives[planes..].
 template <class Real>
 const HalfSpace<Real>& plane_of(const World<Real>& world, std::uint32_t primitive) {
     return *std::get_if<HalfSpace<Real>>(&world.primitives[primitive].solid);
 }
 
-/// Visits every primitive but planes that the ray may meet on the interval: visit(index) returns
-/// true to stop.
+/// Visits every primitive, except for planes, that the ray may meet on the interval: visit(index)
+/// returns true to stop.
 template <class Real, class Last, class Visit>
 void candidates(const World<Real>& world, const Ray<Real>& ray,
                 const RayInterval<Real, Last>& interval, Visit&& visit) {
@@ -76,23 +76,24 @@ void candidates(const World<Real>& world, const Ray<Real>& ray,
              });
 }
 
-/// Which objects a query sees: all, or those that cast shadows.
+/// Which objects a query sees: all, or only those that cast shadows.
 enum class Shadows { ignore, cast };
 
 /// The planes that may be the nearest.
 ///
-/// Plain numbers tell which come first before any crossing is formed: of a room's walls three lie
-/// ahead, and most of what stands in it is met before them. A plane bounds how far the contact
-/// reaches where its crossing is sure to count.
+/// Estimates decide which planes come first, before any exact crossing is computed. In a room,
+/// three walls lie ahead, and most rays meet an object before them. A plane whose crossing is sure
+/// to count limits how far the contact can lie.
 template <class Real>
 class NearestPlanes {
   public:
-    /// Beyond it nothing belongs to the contact.
+    /// Nothing beyond it belongs to the contact.
     Real limit() const { return limit_; }
 
-    /// Looks at all planes. Those beyond the eighth that must wait are formed at once.
+    /// Tests all planes. If eight are waiting, and one more must wait, the exact crossings of the
+    /// eight are computed at once.
     ///
-    /// \param sees    whether the query sees a primitive
+    /// \param sees    sees(primitive): whether the query sees it
     /// \param report  report(primitive, crossing)
     template <class Bodies, class Last, class Sees, class Report>
     [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
@@ -114,10 +115,10 @@ class NearestPlanes {
         }
     }
 
-    /// Whether there are any to form().
+    /// Whether any planes are waiting for form().
     bool wait() const { return count_ != 0; }
 
-    /// Forms the crossings that are still needed after what was found meanwhile.
+    /// Computes the exact crossings of the waiting planes that the interval still contains.
     template <class Last, class Report>
     [[gnu::always_inline]] void form(const World<Real>& world, const Ray<Real>& ray,
                                      const RayInterval<Real, Last>& interval,
@@ -148,7 +149,7 @@ class NearestPlanes {
     Real limit_ = std::numeric_limits<Real>::infinity();
 };
 
-/// Everything that the ray meets first, the nearest hit in front. Empty: it leaves the scene.
+/// The nearest contact, with the nearest hit in front. Empty if the ray leaves the scene.
 template <class Real, class Bodies>
 Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
                               const Start<Real>& start, const Bodies& bodies,
@@ -159,7 +160,7 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     NearestContact<Real> found(contact);
     NearestPlanes<Real> planes;
     const auto limit = [&] { return found.limit(); };
-    // A body that the ray is in may be left a rounding before the start.
+    // Rounding may put the exit of a body that the ray is in just before the start.
     const Real first = start.t - abs(start.t) * gamma<Real>(32);
     const RayInterval<Real, decltype(limit)> interval{first, limit};
     const auto sees = [&](std::uint32_t index) {

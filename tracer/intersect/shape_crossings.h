@@ -1,4 +1,4 @@
-// One call for the crossings of a ray with any shape that is not made of others.
+// One function for the crossings of a ray with any shape except composites.
 #pragma once
 
 #include "tracer/rays/crossing.h"
