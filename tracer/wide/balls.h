@@ -1,12 +1,13 @@
-// Eight rays by one ball in world space: shapes/sphere.h for lanes. The filter's proof is there.
+// Intersects eight rays with one ball in world space: shapes/sphere.h for lanes. The proof of the
+// filter is there.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// What plain differences of places tell of a ball.
+/// The filter, computed from plain differences of points.
 struct BallGuess {
     Numbers along, discriminant;
-    Mask may_meet;  ///< rays that do not pass the ball for certain
+    Mask may_meet;  ///< rays that may meet the ball; all others miss it for certain
     Mask clear;     ///< rays whose roots are known well enough to compare them
 
     LANCER_INLINE BallGuess(const Ball& ball, const Rays& r, Mask active) {
@@ -23,14 +24,14 @@ struct BallGuess {
         clear = less(all(4096.0) * noise, discriminant);
     }
 
-    /// Takes out the rays whose chord is clear of the interval from 0 to `last`.
+    /// Removes from may_meet the rays whose chord lies clearly outside the interval [0, last].
     LANCER_INLINE void cut(const Rays& r, const Numbers& last) {
         const Numbers away = larger(along, -along - last * r.dir_squared);
         may_meet &= ~(clear & less(all(0.0), away) & less(all(1.04) * discriminant, away * away));
     }
 };
 
-/// |f|^2 - r^2 with its relative precision near the surface: Power.
+/// |f|^2 - r^2 with a small relative error near the surface: Power.
 struct BallPower {
     Numbers value, terms;
 
@@ -46,7 +47,7 @@ struct BallPower {
         const Mask first = less(size.y, size.x);
         const Mask is_x = first & less(size.z, size.x);
         const Mask is_y = ~first & less(size.z, size.y);
-        // The largest component in front, the others in turn.
+        // Rotates the components so that the largest one comes first.
         const auto turned = [&](const Vectors& v) {
             return Vectors{select(is_x, v.x, select(is_y, v.y, v.z)),
                            select(is_x, v.y, select(is_y, v.z, v.x)),
@@ -64,11 +65,11 @@ struct BallPower {
     }
 };
 
-/// Where lines that do not start on the ball meet it: both_crossings().
+/// The crossings of lines that do not start on the ball: both_crossings().
 struct BallRoots {
     Numbers in, out;
-    Mask met;   ///< lines that do
-    Mask near;  ///< of those, lines of which one root is a quotient: see there
+    Mask met;   ///< lines that meet the ball
+    Mask near;  ///< of those, lines with one root computed as a quotient: see both_crossings()
 
     LANCER_INLINE BallRoots(const Ball& ball, const Rays& r, Mask active) : met(active) {
         f_ = start_from(r, all(ball.center));
@@ -89,7 +90,7 @@ struct BallRoots {
         if (near != 0) divide(ball, r, middle);
     }
 
-    /// Bounds on `in` and `out`.
+    /// Bounds on the errors of `in` and `out`.
     LANCER_INLINE void bound_errors(const Ball& ball, const Rays& r, Numbers& in_error,
                                     Numbers& out_error) const {
         const Vectors size = absolute(f_);
@@ -143,7 +144,7 @@ struct BallFromSurface {
 
 /// Adds the crossings of rays that do not start on the ball.
 ///
-/// \return rays that are in the ball and do not meet it, but by rounding; nothing added
+/// \return rays inside the ball that miss it because of rounding; nothing is added for them
 LANCER_INLINE Mask ball_crossings(const Ball& ball, std::uint32_t item, const Rays& r, Mask active,
                                   const Ways& ways, NearestHits& hits) {
     BallGuess guess(ball, r, active);
@@ -164,7 +165,7 @@ LANCER_INLINE Mask ball_crossings(const Ball& ball, std::uint32_t item, const Ra
     return lost;
 }
 
-/// The same for rays that start on it. What they leave they do not enter at once.
+/// The same for rays that start on the ball. They cannot enter a ball that they just left.
 LANCER_INLINE void crossings_from_ball(const Ball& ball, std::uint32_t item, const Rays& r,
                                        Mask active, const Ways& ways, NearestHits& hits) {
     const BallFromSurface other(ball, r);

@@ -1,13 +1,13 @@
-// Eight rays by one box in world space: shapes/box.h for lanes.
+// Intersects eight rays with one box in world space: shapes/box.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// The lines inside a box: BoxSpan.
+/// The parts of lines inside a box: BoxSpan.
 struct BoxSpans {
     Numbers in = all(-infinity);
     Numbers out = all(infinity);
-    Numbers in_error, out_error;  ///< bounds on them
+    Numbers in_error, out_error;  ///< bounds on the errors of `in` and `out`
     Mask met;                     ///< lines that meet the box
 
     LANCER_INLINE BoxSpans(const Box& box, const Rays& r, Mask active) : met(active) {
@@ -74,7 +74,7 @@ struct BoxSpans {
 
 /// Adds the crossings of rays that do not start on the box.
 ///
-/// \return rays that are in the box and do not meet it, but by rounding; nothing added
+/// \return rays inside the box that miss it because of rounding; nothing is added for them
 LANCER_INLINE Mask box_crossings(const Box& box, std::uint32_t item, const Rays& r, Mask active,
                                  const Ways& ways, NearestHits& hits) {
     const BoxSpans span(box, r, active);

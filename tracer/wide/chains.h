@@ -1,17 +1,19 @@
-// The light of rays whose parts are found in any order, summed in the scalar code's.
+// Sums the light of rays in the same order as scalar code, although its terms are found in any
+// order.
 //
-// Whitted::follow() goes along one ray, bent and bent again, and adds to one sum: what each surface
-// sends, what each mirrors, and at last the background. Such a sum is a chain of terms here. A
-// term that is a mirrored ray's light is a chain itself, begun after the one that it is in; so,
-// summed from the last chain back to the first, every term is known when it is added, and each sum
-// is formed in the order in which its ray met its terms.
+// Whitted::follow() goes along one ray, which may be refracted many times. It adds to one sum: the
+// local light of each surface, the light that each surface mirrors, and finally the background.
+// Here such a sum is a chain of terms. The light of a mirrored ray is a term that is a chain
+// itself; this chain begins after the one that contains it. So when the chains are summed from the
+// last to the first, every term is known when it is added. Each sum has the order in which its ray
+// met the terms.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
 /// Appends a term to a chain.
 ///
-/// \param child  the chain that `light` is the factor of, or `nothing`
+/// \param child  the chain whose light is multiplied by `light`, or `nothing`
 inline void add_term(Ledger& ledger, std::uint32_t chain, const double* light,
                      std::uint32_t child) {
     if (ledger.term_count == ledger.term_room) ledger.grow(ledger);
@@ -25,14 +27,14 @@ inline void add_term(Ledger& ledger, std::uint32_t chain, const double* light,
     c.last = at;
 }
 
-/// There is room for one more.
+/// Begins a chain. The caller makes sure that there is room.
 inline std::uint32_t begin_chain(Ledger& ledger) {
     Chain& chain = ledger.chains[ledger.chain_count];
     chain.first = chain.last = nothing;
     return ledger.chain_count++;
 }
 
-/// Forms all sums.
+/// Computes all sums.
 inline void sum_chains(Ledger& ledger) {
     for (std::uint32_t k = ledger.chain_count; k-- > 0;) {
         Chain& chain = ledger.chains[k];

@@ -1,4 +1,4 @@
-// The scalar code as wide code calls it: with plain numbers, through virtual functions.
+// The interface through which wide code calls scalar code: plain numbers and virtual functions.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace lancer::wide {
 
-/// One ray, as Ray<double>.
+/// One ray: Ray<double>.
 struct LaneRay {
     double origin[3], origin_lo[3], dir[3];
     double dir_squared, inv_squared, origin_error, filter_error;
@@ -14,15 +14,16 @@ struct LaneRay {
     bool whole;
 };
 
-/// Lists of bodies that are longer are scalar code's.
+/// The longest list of bodies in wide code. Scalar code traces rays with longer ones.
 inline constexpr int most_bodies = 4;
 
-/// What a ray starts on, if anything, what it leaves for good, and what it is inside of.
+/// The item that a ray starts on, the item that it leaves for good (both may be `nothing`), and the
+/// bodies that it is inside of.
 struct LaneStart {
     std::uint32_t item, face;
     bool entering;
     std::uint32_t left;
-    std::uint32_t bodies[most_bodies];  ///< in the order entered, then `nothing`
+    std::uint32_t bodies[most_bodies];  ///< in the order entered; unused places hold `nothing`
 };
 
 struct LaneHit {
@@ -31,7 +32,7 @@ struct LaneHit {
     bool entering;
 };
 
-/// Surface<double>, as far as it does not follow from the hit.
+/// Those members of Surface<double> that do not follow from the hit alone.
 struct LaneSurface {
     double position[3], position_lo[3], geometric[3], normal[3], color[3];
     double error, opacity;
@@ -43,27 +44,27 @@ struct LaneLight {
     double distance;
 };
 
-/// Gets crossings that count.
+/// Receives crossings that count.
 struct HitSink {
     void* self;
     double (*limit)(void* self);
     void (*add)(void* self, const LaneHit& hit);
 };
 
-/// Gets light.
+/// Receives terms of light.
 struct LightSink {
     void* self;
     void (*add)(void* self, const double* light);
 };
 
-/// The exact methods: what wide code asks where it is unsure, one ray at a time. Rays carry their
-/// own counts.
+/// The exact methods, which wide code calls for one ray at a time where it is unsure. They count
+/// their own rays.
 class ExactMethods {
   public:
     /// The light that a ray brings; in worlds without glassy items, as `shade`.
     virtual void trace(const LaneRay& ray, const LaneStart& start, double weight, int depth,
                        double* color) = 0;
-    /// The same where there are glassy items, term by term.
+    /// The same for worlds with glassy items, term by term.
     ///
     /// \param through  what the surfaces before let pass of it
     virtual void follow(const LaneRay& ray, const LaneStart& start, double weight, int depth,
@@ -71,18 +72,18 @@ class ExactMethods {
     /// The light that a ray brings where it is known what it meets first.
     virtual void shade(const LaneRay& ray, const LaneHit& hit, double weight, int depth,
                        double* color) = 0;
-    /// What a ray brings that hits nothing.
+    /// The colour of a ray that hits nothing.
     virtual void behind(const double* direction, double* color) = 0;
     virtual void surface(const LaneRay& ray, const LaneHit& hit, LaneSurface& surface) = 0;
     virtual void light(std::size_t index, const double* position, const double* position_lo,
                        LaneLight& light) = 0;
-    /// The crossings with one item up to the sink's limit that count.
+    /// The crossings with one item that count, up to the sink's limit.
     virtual void crossings(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                            const HitSink& sink) = 0;
-    /// Whether the item lies on the way to a light.
+    /// Whether the item blocks the way to a light.
     virtual bool blocks(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                         double distance) = 0;
-    /// The share of a light that reaches the start of a ray, by colour.
+    /// The share of a light that reaches the start of a ray, per channel.
     virtual void light_share(const LaneRay& ray, const LaneStart& start, double distance,
                              double* share) = 0;
 

@@ -5,7 +5,7 @@
 namespace lancer::wide {
 namespace {
 
-// Level code reads the nodes of the trees where they lie.
+// The code of the levels reads trees, leaves and arrays of vectors in place, so layouts must match.
 static_assert(sizeof(Node) == sizeof(BvhNode<double>));
 static_assert(offsetof(Node, min) == offsetof(BvhNode<double>, min));
 static_assert(offsetof(Node, max) == offsetof(BvhNode<double>, max));
@@ -40,8 +40,8 @@ Frame frame_of(const lancer::Frame<double>& frame) {
     return f;
 }
 
-/// Whether wide code knows what a glassy item does to light. On smooth meshes light is bent by
-/// another list of bodies.
+/// Whether wide code can shade a glassy item. With smooth meshes another list of bodies decides
+/// refraction, which wide code does not have.
 bool is_clear(const Item& item, const Primitive<double>& primitive, const World<double>& world) {
     if (!primitive.transmissive || !primitive.medium || world.has_smooth_media) return false;
     if (item.kind != Kind::ball && item.kind != Kind::box) return false;
@@ -50,7 +50,7 @@ bool is_clear(const Item& item, const Primitive<double>& primitive, const World<
            primitive.casts_shadow;
 }
 
-/// Whether it is a colour by place alone.
+/// Whether the texture's colour depends only on the point, so that wide code can compute it.
 bool is_pattern(const lancer::Pattern<double>& texture) {
     return std::holds_alternative<CheckerPattern<double>>(texture) ||
            std::holds_alternative<GradientPattern<double>>(texture);
@@ -86,7 +86,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.balls = balls_.data();
     scene_.planes = planes_.data();
     scene_.meshes = meshes_.data();
-    // Planes are no meshes, so those of the items are numbered as they are.
+    // All bounded items are meshes here, so the meshes have the numbers of their items.
     const std::size_t most_in_cache = 1024;
     if (meshes_.size() == world.bounded && world.bounded > most_in_cache)
         scene_.meshes_of_items = meshes_.data();
@@ -121,7 +121,7 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
         item.shape = static_cast<std::uint32_t>(tori_.size());
         tori_.push_back({torus->ring, torus->tube, torus->shrink, torus->grow, primitive.frame});
     }
-    // A composite shows its leaves' materials, which the exact methods know.
+    // A composite shows the materials of its leaves, so the exact methods shade it.
     item.material = primitive.composite() == nullptr ? primitive.material : finish_of_composites_;
     item.convex = primitive.convex;
     item.body = primitive.body;
@@ -139,7 +139,7 @@ void FlatWorld::add_patterns(const World<double>& world) {
         if (const auto* gradient = std::get_if<GradientPattern<double>>(&texture))
             stops += gradient->stops.size();
     }
-    stops_.reserve(stops);  // so that they stay where they are
+    stops_.reserve(stops);  // pointers to the stops must stay valid
     for (const auto& texture : world.textures) {
         Pattern& p = patterns_.emplace_back();
         if (const auto* checker = std::get_if<CheckerPattern<double>>(&texture)) {
@@ -160,7 +160,7 @@ void FlatWorld::add_patterns(const World<double>& world) {
     }
 }
 
-/// \return `nothing` where wide code does not know its colours
+/// \return `nothing` if wide code cannot compute its colours
 std::uint32_t FlatWorld::add_texture(const Primitive<double>& primitive,
                                      const World<double>& world) {
     if (primitive.composite() != nullptr) return nothing;

@@ -1,4 +1,4 @@
-// A world as plain arrays, for code that must not call functions of elsewhere: wide/scene.h.
+// A world as plain arrays, for code that must not call functions from elsewhere: wide/scene.h.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace lancer::wide {
 
-/// Refers to the world, and to itself.
+/// Holds pointers into the world and into itself, so it cannot be copied.
 class FlatWorld {
   public:
     explicit FlatWorld(const World<double>& world);
@@ -46,7 +46,7 @@ class FlatWorld {
     std::vector<Pattern> patterns_;  ///< as World::textures
     std::vector<Stop> stops_;        ///< of all gradients
     std::vector<Light> lights_;
-    std::uint32_t finish_of_composites_ = 0;  ///< one that is left to the exact methods
+    std::uint32_t finish_of_composites_ = 0;  ///< a finish that the exact methods shade
     Scene scene_{};
 };
 

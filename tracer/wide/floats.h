@@ -39,7 +39,7 @@ LANCER_INLINE Mask at_most(const Floats& a, const Floats& b) {
 LANCER_INLINE Floats with_sign(const Floats& size, const Floats& sign) {
     return {_mm256_or_ps(size.v, _mm256_and_ps(sign.v, _mm256_set1_ps(-0.0F)))};
 }
-/// `yes` in the lanes where `sign` is negative, -0 included.
+/// `yes` in the lanes where `sign` is negative or -0, else `no`.
 LANCER_INLINE Floats where_negative(const Floats& sign, const Floats& yes, const Floats& no) {
     return {_mm256_blendv_ps(no.v, yes.v, sign.v)};
 }
@@ -61,7 +61,7 @@ LANCER_INLINE __m256i spread_32(Mask mask) {
     const __m256i bits = _mm256_set1_epi32(static_cast<int>(mask));
     return _mm256_cmpeq_epi32(_mm256_and_si256(bits, bit), bit);
 }
-/// Eight whole numbers: `yes` in the lanes of the mask, else `no`.
+/// Stores eight integers: `yes` in the lanes of the mask, else `no`.
 LANCER_INLINE void put_selected(std::uint32_t* to, Mask mask, const std::uint32_t* yes,
                                 std::uint32_t no) {
     const __m256i own = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(yes));
@@ -69,7 +69,7 @@ LANCER_INLINE void put_selected(std::uint32_t* to, Mask mask, const std::uint32_
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
                         _mm256_blendv_epi8(other, own, spread_32(mask)));
 }
-/// `x` in the lanes of the mask.
+/// Stores `x` in the lanes of the mask.
 LANCER_INLINE void put_some(std::uint32_t* to, Mask mask, std::uint32_t x) {
     const __m256i own = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(to));
     const __m256i other = _mm256_set1_epi32(static_cast<int>(x));
@@ -77,7 +77,7 @@ LANCER_INLINE void put_some(std::uint32_t* to, Mask mask, std::uint32_t x) {
                         _mm256_blendv_epi8(own, other, spread_32(mask)));
 }
 
-/// Which of eight whole numbers are `x`.
+/// Which of eight integers equal `x`.
 LANCER_INLINE Mask equal(const std::uint32_t* numbers, std::uint32_t x) {
     const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
     const __m256i same = _mm256_cmpeq_epi32(eight, _mm256_set1_epi32(static_cast<int>(x)));

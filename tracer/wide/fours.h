@@ -1,4 +1,4 @@
-// Four doubles: the triangles of a leaf, for one ray, or its three coordinates and 0.
+// Four doubles for one ray: one number for each triangle of a leaf, or three coordinates and 0.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -35,7 +35,7 @@ LANCER_INLINE Fours operator/(const Fours& a, const Fours& b) {
 LANCER_INLINE Fours absolute(const Fours& a) {
     return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)};
 }
-/// `yes` in the lanes where `sign` is negative, -0 included.
+/// `yes` in the lanes where `sign` is negative or -0, else `no`.
 LANCER_INLINE Fours where_negative(const Fours& sign, const Fours& yes, const Fours& no) {
     return {_mm256_blendv_pd(no.v, yes.v, sign.v)};
 }
@@ -66,7 +66,7 @@ LANCER_INLINE Mask less(const Fours& a, const Fours& b) {
 LANCER_INLINE double first(const Fours& a) {
     return _mm256_cvtsd_f64(a.v);
 }
-/// The largest of all four; of numbers that are such.
+/// The largest of all four. None may be NaN.
 LANCER_INLINE double largest(const Fours& a) {
     const __m128d pair = _mm_max_pd(_mm256_castpd256_pd128(a.v), _mm256_extractf128_pd(a.v, 1));
     return _mm_cvtsd_f64(_mm_max_sd(pair, _mm_unpackhi_pd(pair, pair)));

@@ -10,7 +10,7 @@ LANCER_INLINE Vectors map_transposed(const double (&rows)[3][3], const Vectors& 
     return all(rows[0]) * v.x + all(rows[1]) * v.y + all(rows[2]) * v.z;
 }
 
-/// The same sums with |lo| <= u |hi| in each component: normalized()
+/// The same sums, with |lo| <= u |hi| in each component: normalized()
 LANCER_INLINE VectorPair normalized(const Vectors& hi, const Vectors& lo) {
     const Mask exact = is_zero(lo);
     if (exact == 255) return {hi, lo};

@@ -1,5 +1,5 @@
-// Where eight rays cross one cylinder or cone in world space: all_crossings() of shapes/frustum.h
-// for lanes, for rays that neither start on it nor are known to be in it.
+// The crossings of eight rays with one cylinder or cone in world space: all_crossings() of
+// shapes/frustum.h for lanes. For rays that do not start on it and are not known to be inside.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -9,16 +9,16 @@ inline constexpr std::uint32_t frustum_side = 0;
 inline constexpr std::uint32_t small_cap = 1;
 inline constexpr std::uint32_t large_cap = 2;
 
-/// The lines inside a frustum, or, where it has no caps, where they cross its side.
+/// The parts of lines inside a frustum; for a frustum without caps, where they cross its side.
 class FrustumCrossings {
   public:
     Numbers in = all(-infinity);
     Numbers out = all(infinity);
     Mask enters = 0;  ///< lines that cross at `in`
-    Mask leaves = 0;  ///< at `out`
-    Mask unsure = 0;  ///< lines that the exact method must look at
+    Mask leaves = 0;  ///< lines that cross at `out`
+    Mask unsure = 0;  ///< lines that the exact method must compute
 
-    /// \param last  crossings beyond it may be missing
+    /// \param last  crossings beyond this parameter may be missing
     FrustumCrossings(const Frustum& f, const Rays& r, Mask active, const Numbers& last)
         : frustum_(f), rays_(r) {
         const Vectors axis = all(f.axis);
@@ -53,18 +53,18 @@ class FrustumCrossings {
         leaves &= less(absolute(out), all(infinity)) & ~less(last, out);
     }
 
-    /// Bounds on `in`.
+    /// Bounds on the errors of `in`.
     Numbers in_error() const { return bound_of(in, side_enters_, forward_, enters); }
-    /// Bounds on `out`.
+    /// Bounds on the errors of `out`.
     Numbers out_error() const { return bound_of(out, side_leaves_, ~forward_, leaves); }
 
     std::uint32_t in_face(int i) const { return face(side_enters_, forward_, i); }
     std::uint32_t out_face(int i) const { return face(side_leaves_, ~forward_, i); }
 
   private:
-    /// Sets `in` and `out` to where the lines are between the planes of the caps.
+    /// Sets `in` and `out` to the parts of the lines between the planes of the caps.
     ///
-    /// \return lines that are there somewhere
+    /// \return lines with such a part
     LANCER_INLINE Mask cut_by_caps(Mask active) {
         const Numbers zero = all(0.0);
         from_large_ = start_from(rays_, all(frustum_.large_end));
@@ -79,7 +79,7 @@ class FrustumCrossings {
         return active & ~(still & (less(zero, to_small) | less(to_large, zero)));
     }
 
-    /// side_span(), where the quadratic's terms are not 0.
+    /// side_span(), where no divisor is 0. Other lines become unsure.
     ///
     /// \return lines that meet the side
     LANCER_INLINE Mask cut_by_side(Mask active, Numbers& side_in, Numbers& side_out) {
@@ -99,7 +99,7 @@ class FrustumCrossings {
         const Vectors v = radius * dir_perp_ - rate_ * o;
         const Numbers moment = dot(all(frustum_.axis), cross(o, dir_perp_));
         discriminant_ = dot(v, v) - moment * moment;
-        const Mask grows = less(zero, qa_);  // outside beyond the roots
+        const Mask grows = less(zero, qa_);  // the line is outside beyond the roots
         const Mask outside = less(discriminant_, zero);
         active &= ~(outside & grows);
         discriminant_ = select(outside, zero, discriminant_);
@@ -115,8 +115,8 @@ class FrustumCrossings {
         divided_ = r0 + slide_;
         const Numbers low = select(first, r0, r1) + slide_;
         const Numbers high = select(first, r1, r0) + slide_;
-        // A line steeper than the side is inside beyond the roots; the nappe of the solid is where
-        // the radius grows.
+        // A line that is steeper than the side is inside the double cone beyond the roots. The
+        // solid is the nappe towards which the radius grows.
         const Mask widens = less(zero, rate_);
         side_in = select(grows, low, select(widens, high, all(-infinity)));
         side_out = select(grows, high, select(widens, all(infinity), low));
@@ -154,7 +154,7 @@ class FrustumCrossings {
         return along + bound<6>() * (far + absolute(slide_));
     }
 
-    /// \param small  the lanes that cross the small one
+    /// \param small  the lanes that cross the small cap
     LANCER_INLINE Numbers cap_bound(const Numbers& t, Mask small) const {
         const Vectors steep = absolute(all(frustum_.axis));
         const Vectors from_end = select(small, start_, from_large_);
@@ -171,10 +171,10 @@ class FrustumCrossings {
 
     const Frustum& frustum_;
     const Rays& rays_;
-    Vectors start_, from_large_;  ///< the rays' starts from the ends
+    Vectors start_, from_large_;  ///< the rays' starts, relative to the small and the large end
     Vectors start_perp_, dir_perp_;
     Numbers start_axial_, dir_axial_;
-    Mask forward_ = 0;  ///< from the small end to the large
+    Mask forward_ = 0;  ///< lines that go from the small end to the large one
     Mask side_enters_ = 0, side_leaves_ = 0;
     // SideSpan
     Numbers slide_, qa_, discriminant_, root_, divided_, rate_;
@@ -182,7 +182,7 @@ class FrustumCrossings {
 
 /// Adds the crossings of rays that do not start on an opaque frustum.
 ///
-/// \return rays that the exact method must look at; nothing added
+/// \return rays that the exact method must compute; nothing is added for them
 [[gnu::noinline]] inline Mask frustum_crossings(const Frustum& f, std::uint32_t item, const Rays& r,
                                                 Mask active, NearestHits& hits) {
     const FrustumGuess guess(f, r, active, hits.limit);

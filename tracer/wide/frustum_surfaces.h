@@ -1,4 +1,4 @@
-// Eight hits with cylinders and cones in world space become surfaces: surface_point() of
+// The surfaces of eight hits with cylinders and cones in world space: surface_point() of
 // shapes/frustum.h for lanes.
 #pragma once
 
@@ -6,12 +6,12 @@ namespace lancer::wide::LANCER_LEVEL {
 
 /// The frustums that eight rays hit.
 struct HitFrustums {
-    Vectors end;  ///< the centre of the cap, or the smaller end
+    Vectors end;  ///< the centre of the hit cap; for the side, the small end
     Vectors axis;
     Numbers radius, slope;
-    Mask sides = 0;
-    Mask small = 0;   ///< on the small cap
-    Mask tilted = 0;  ///< of `sides`
+    Mask sides = 0;   ///< hits on sides
+    Mask small = 0;   ///< hits on small caps
+    Mask tilted = 0;  ///< hits on sides of tilted frustums
 
     LANCER_INLINE HitFrustums(const Scene& scene, const NearestHits& hits, Mask mask) {
         const Numbers zero = all(0.0);
@@ -38,7 +38,7 @@ LANCER_INLINE void put_caps(const HitFrustums& f, const Vectors& rel, const Vect
     Vectors offset = rel + way;
     offset = offset - dot(f.axis, offset) * f.axis;
     const Numbers error = bound<4>() * dot(absolute(f.axis), absolute(offset));
-    Mask odd = 0;  // axes are unit
+    Mask odd = 0;  // not used: axes are unit vectors
     const Vectors normal = unit(select(f.small, -f.axis, f.axis), odd);
     put(mask, f.end, offset, error, normal, s);
 }

@@ -1,12 +1,12 @@
-// Eight rays by one cylinder or cone in world space: the filter of shapes/frustum.h for lanes. The
-// proof is there. What it does not settle goes on to frustum_crossings.h.
+// The filter for eight rays and one cylinder or cone in world space: that of shapes/frustum.h for
+// lanes. The proof is there. frustum_crossings.h computes the rays that the filter does not settle.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
 struct FrustumGuess {
-    Mask unsettled;    ///< rays that may have crossings from 0 to `last` that count
-    Mask between = 0;  ///< of those, rays that cross the side for certain, between 0 and `last`
+    Mask unsettled;    ///< rays that may have crossings in [0, last]
+    Mask between = 0;  ///< of those, rays that certainly cross the side between 0 and `last`
 
     LANCER_INLINE FrustumGuess(const Frustum& f, const Rays& r, Mask active, const Numbers& last) {
         const Vectors axis = all(f.axis);

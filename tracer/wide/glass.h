@@ -13,7 +13,7 @@ LANCER_INLINE Wave* mirrored_wave(Job& job, int depth) {
     return job.wave(job.waves, 2 * depth + 1);
 }
 
-/// Traces the rays of a wave from `at` on, eight at most.
+/// Traces at most eight rays of a wave, from `at` on.
 class GlassPacket {
   public:
     GlassPacket(Job& job, Wave& wave, int depth, int at)
@@ -37,12 +37,12 @@ class GlassPacket {
     }
 
     [[gnu::noinline]] void trace() {
-        // Rays send on one chain each at most.
+        // Each ray begins at most one chain.
         if (ledger_.chain_count + lanes > ledger_.chain_room) return follow_exactly(active_);
         find_nearest(job_, rays_, starts_, active_, hits_);
         Mask exact = hits_.unsure;
         const Mask some_bodies = starts_.bodies.some();
-        // A way out of what they are in was lost.
+        // A ray inside a body that hits nothing lost the exit.
         const Mask missed = active_ & ~hits_.some & ~exact;
         exact |= missed & some_bodies;
         const Mask leaves = missed & ~some_bodies;
@@ -62,7 +62,7 @@ class GlassPacket {
     }
 
   private:
-    /// What rays bring that hit nothing.
+    /// The colours of rays that hit nothing.
     Vectors behind(Mask mask) const {
         Vectors colors = all(scene_.background);
         if (!scene_.has_sky) return colors;
@@ -74,8 +74,7 @@ class GlassPacket {
         return colors;
     }
 
-    /// Rays that hit something where they can no more be in what they are said to be in:
-    /// drop_lost().
+    /// Rays whose hit lies outside the bounds of a body in their list: drop_lost().
     Mask lost() const {
         const Vectors way = hits_.t * rays_.dir;
         const Vectors point = (rays_.origin + way) + rays_.origin_lo;
@@ -133,10 +132,10 @@ class GlassPacket {
         return body == nothing ? 1 : scene_.finishes[scene_.items[body].material].ior;
     }
 
-    /// What is behind the hits: crossed().
+    /// Sets the bodies behind the hits: crossed().
     ///
-    /// \return hits that are left to scalar code: more bodies than there is room for, or light that
-    ///         goes straight on
+    /// \return hits that are left to scalar code: those with more bodies than there is room for,
+    ///         and those where light goes straight on
     Mask cross(Mask met) {
         around_.before = starts_.bodies;
         around_.after = starts_.bodies;
@@ -164,7 +163,7 @@ class GlassPacket {
         return exact;
     }
 
-    /// Whitted::shade() and the bend, for hits that are known.
+    /// Whitted::shade() and Whitted::bend(), for the hits of the mask.
     void shade(Mask met) {
         make_surfaces(job_, rays_, hits_, met, surfaces_);
         const Surfaces& s = surfaces_;
@@ -209,7 +208,7 @@ class GlassPacket {
         send(*bent_wave(job_, depth_ + 1), bent, weight, through, sent, total, nullptr);
     }
 
-    /// Sends mirrored rays, the light of which is a term of each one's chain.
+    /// Sends mirrored rays. The light of each is a term of its sender's chain.
     void mirror_on(const Vectors& share, const Vectors& mirror, Mask mask) {
         const Numbers factor = max_component(share);
         const Numbers weight = load(wave_.weight + at_) * factor;
@@ -226,16 +225,16 @@ class GlassPacket {
         send(*mirrored_wave(job_, depth_ + 1), mirror, weight, {one, one, one}, sent, sent, chains);
     }
 
-    /// The rays that the limits let go on.
+    /// The rays that are within the limits.
     Mask is_followed(const Numbers& weight, Mask mask) const {
         if (depth_ + 1 >= scene_.max_depth) return 0;
         return mask & at_most(all(scene_.min_contribution), weight);
     }
 
-    /// Puts rays that start at the surfaces into a wave with room for them.
+    /// Puts rays that start at the surfaces into a wave, which has room for them.
     ///
-    /// \param reflected  those that are mirrored
-    /// \param chains     null: they go on in their own
+    /// \param reflected  of `sent`, the mirrored rays
+    /// \param chains     the rays' chains; null: each ray belongs to its sender's chain
     void send(Wave& next, const Vectors& direction, const Numbers& weight, const Vectors& through,
               Mask sent, Mask reflected, const std::uint32_t* chains) {
         job_.counts.reflected += static_cast<std::uint64_t>(__builtin_popcount(sent & reflected));
@@ -283,7 +282,7 @@ class GlassPacket {
     NearestHits hits_;
     Surfaces surfaces_;
     Around around_;
-    Numbers ratio_, index_before_;  ///< of the indices before and after
+    Numbers ratio_, index_before_;  ///< ratio_: index before over index after
     Mask glass_ = 0;
 };
 

@@ -1,10 +1,9 @@
-// What eight rays meet first. A lane is unsure where more than one hit may belong to the contact.
+// The nearest hits of eight rays. A lane is unsure if more than one hit may belong to its contact.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// The nearest hits so far, by the rules of IntersectionFilter and of
-/// NearestContact.
+/// The nearest hits so far, by the rules of IntersectionFilter and of NearestContact.
 ///
 /// A contact holds one hit for certain when no other lies before nearest.t + 8 nearest.error,
 /// within which NearestContact keeps what it looks at once more. A lane where another does is
@@ -17,7 +16,7 @@ class NearestHits {
     Numbers error = all(0.0);
     Numbers u = all(0.0);
     Numbers v = all(0.0);
-    Numbers limit = all(infinity);  ///< beyond it nothing belongs to the contact
+    Numbers limit = all(infinity);  ///< nothing beyond it belongs to the contact
     alignas(32) std::uint32_t item[lanes]{};
     alignas(32) std::uint32_t face[lanes]{};
     Mask entering = 0;
@@ -34,8 +33,8 @@ class NearestHits {
                 (entering >> i & 1) != 0};
     }
 
-    /// Adds crossings, in the lanes of the mask, of rays that do not start on the item. What lies
-    /// next to the start is left to scalar code.
+    /// Adds crossings, in the lanes of the mask, of rays that do not start on the item. Lanes with
+    /// a crossing that rounding cannot tell from the start become unsure.
     LANCER_INLINE Mask add_ahead(Mask mask, const Numbers& at, const Numbers& bound,
                                  std::uint32_t of, Mask is_entering) {
         const Mask behind = less(at, -bound);
@@ -46,7 +45,7 @@ class NearestHits {
 
     /// Adds crossings that count.
     ///
-    /// \return where they are the nearest now
+    /// \return the lanes where the new crossing is the nearest hit
     LANCER_INLINE Mask add(Mask mask, const Numbers& at, const Numbers& bound, std::uint32_t of,
                            Mask is_entering) {
         mask &= at_most(at, limit);
@@ -66,7 +65,8 @@ class NearestHits {
         return taken;
     }
 
-    /// What else there is to know of a triangle's crossings that were just taken.
+    /// Sets the face and the barycentric coordinates of triangle crossings that add() has just
+    /// taken.
     LANCER_INLINE void set_triangle(Mask taken, std::uint32_t of, const Numbers& at_u,
                                     const Numbers& at_v) {
         if (taken == 0) return;
@@ -75,7 +75,7 @@ class NearestHits {
         v = select(taken, at_v, v);
     }
 
-    /// The same for one lane.
+    /// Adds one hit to one lane.
     void add(int i, const LaneHit& hit) {
         const Mask bit = Mask(1) << i;
         if (add(bit, all(hit.t), all(hit.error), hit.item, hit.entering ? bit : 0) == 0) return;

@@ -8,7 +8,7 @@ namespace lancer::wide::LANCER_LEVEL {
 
 #define LANCER_INLINE [[gnu::always_inline]] inline
 
-/// One bit a lane.
+/// One bit per lane.
 using Mask = unsigned;
 inline constexpr int lanes = 8;
 
@@ -80,7 +80,7 @@ LANCER_INLINE Numbers larger(const Numbers& a, const Numbers& b) {
 LANCER_INLINE Numbers smaller(const Numbers& a, const Numbers& b) {
     return {_mm256_min_pd(a.low, b.low), _mm256_min_pd(a.high, b.high)};
 }
-/// a b - product, rounded once: exact where `product` is that of a and b.
+/// a b - product, rounded once; exact if `product` is the rounded product of a and b.
 LANCER_INLINE Numbers product_rest(const Numbers& a, const Numbers& b, const Numbers& product) {
     return {_mm256_fmsub_pd(a.low, b.low, product.low),
             _mm256_fmsub_pd(a.high, b.high, product.high)};
@@ -89,7 +89,7 @@ LANCER_INLINE Numbers product_rest(const Numbers& a, const Numbers& b, const Num
 LANCER_INLINE Mask bits_of(__m256d low, __m256d high) {
     return static_cast<Mask>(_mm256_movemask_pd(low) | _mm256_movemask_pd(high) << 4);
 }
-/// The lanes whose sign is minus, -0 included.
+/// The lanes that are negative or -0.
 LANCER_INLINE Mask negative(const Numbers& a) {
     return bits_of(a.low, a.high);
 }
@@ -105,7 +105,7 @@ LANCER_INLINE Mask equal(const Numbers& a, const Numbers& b) {
     return bits_of(_mm256_cmp_pd(a.low, b.low, _CMP_EQ_OQ),
                    _mm256_cmp_pd(a.high, b.high, _CMP_EQ_OQ));
 }
-/// All ones in the lanes whose bit of four is set.
+/// All ones in the lanes whose bit is set in the lowest four bits of the mask.
 LANCER_INLINE __m256i spread(Mask mask) {
     const __m256i bit = _mm256_setr_epi64x(1, 2, 4, 8);
     const __m256i bits = _mm256_set1_epi64x(static_cast<long long>(mask));
@@ -115,7 +115,7 @@ LANCER_INLINE Numbers select(Mask mask, const Numbers& yes, const Numbers& no) {
     return {_mm256_blendv_pd(no.low, yes.low, _mm256_castsi256_pd(spread(mask))),
             _mm256_blendv_pd(no.high, yes.high, _mm256_castsi256_pd(spread(mask >> 4)))};
 }
-/// The lanes of the mask side by side at `to`, where there is room for eight.
+/// Stores the lanes of the mask contiguously at `to`, where there is room for eight.
 LANCER_INLINE void store_packed(double* to, Mask mask, const Numbers& a) {
     double each[lanes];
     store(each, a);
@@ -133,7 +133,8 @@ LANCER_INLINE Floats rounded(const Numbers& a) {
 LANCER_INLINE FloatPairs both(const Floats& a) {
     return {a.v, a.v};
 }
-/// Of eight numbers those at `first` and behind it, each in eight lanes.
+/// Of eight numbers, eight[first] in all lanes of the first box and eight[first + 1] in all lanes
+/// of the second.
 LANCER_INLINE FloatPairs both(const float* eight, int first) {
     return {_mm256_broadcast_ss(eight + first), _mm256_broadcast_ss(eight + first + 1)};
 }
@@ -167,7 +168,7 @@ LANCER_INLINE Mask at_most(const FloatPairs& a, const FloatPairs& b) {
     return static_cast<Mask>(first | second << 8);
 }
 
-/// elementary::pow, by the function of the same library that gives the same bits.
+/// elementary::pow, by a function of the same library that gives the same bits.
 LANCER_INLINE Numbers power(const Numbers& x, const Numbers& y) {
     return {Sleef_cinz_powd4_u10avx(x.low, y.low), Sleef_cinz_powd4_u10avx(x.high, y.high)};
 }

@@ -1,8 +1,9 @@
-// Eight numbers in one register of AVX-512. lanes_avx2.h has the same in two registers of AVX2.
+// Eight numbers in one AVX-512 register. lanes_avx2.h has the same in two AVX2 registers.
 //
-// Headers of this room that compute stand in a namespace of their level, and call nothing from
-// elsewhere: a function that several objects hold is linked from any of them, and a processor that
-// lacks the level's instructions must never get one that was compiled with them.
+// The headers with code in this folder use a namespace of their level, and call no functions from
+// elsewhere. Reason: if several object files contain the same inline function, the linker takes it
+// from any of them. A processor without the level's instructions must never run a function that was
+// compiled with them.
 #pragma once
 
 #include <immintrin.h>
@@ -12,7 +13,7 @@ namespace lancer::wide::LANCER_LEVEL {
 
 #define LANCER_INLINE [[gnu::always_inline]] inline
 
-/// One bit a lane.
+/// One bit per lane.
 using Mask = unsigned;
 inline constexpr int lanes = 8;
 
@@ -79,12 +80,12 @@ LANCER_INLINE Numbers larger(const Numbers& a, const Numbers& b) {
 LANCER_INLINE Numbers smaller(const Numbers& a, const Numbers& b) {
     return {_mm512_min_pd(a.v, b.v)};
 }
-/// a b - product, rounded once: exact where `product` is that of a and b.
+/// a b - product, rounded once; exact if `product` is the rounded product of a and b.
 LANCER_INLINE Numbers product_rest(const Numbers& a, const Numbers& b, const Numbers& product) {
     return {_mm512_fmsub_pd(a.v, b.v, product.v)};
 }
 
-/// The lanes whose sign is minus, -0 included.
+/// The lanes that are negative or -0.
 LANCER_INLINE Mask negative(const Numbers& a) {
     return _mm512_movepi64_mask(_mm512_castpd_si512(a.v));
 }
@@ -100,7 +101,7 @@ LANCER_INLINE Mask equal(const Numbers& a, const Numbers& b) {
 LANCER_INLINE Numbers select(Mask mask, const Numbers& yes, const Numbers& no) {
     return {_mm512_mask_blend_pd(static_cast<__mmask8>(mask), no.v, yes.v)};
 }
-/// The lanes of the mask side by side at `to`, where there is room for eight.
+/// Stores the lanes of the mask contiguously at `to`, where there is room for eight.
 LANCER_INLINE void store_packed(double* to, Mask mask, const Numbers& a) {
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(mask), a.v));
 }
@@ -115,7 +116,8 @@ LANCER_INLINE Floats rounded(const Numbers& a) {
 LANCER_INLINE FloatPairs both(const Floats& a) {
     return {_mm512_broadcast_f32x8(a.v)};
 }
-/// Of eight numbers those at `first` and behind it, each in eight lanes.
+/// Of eight numbers, eight[first] in all lanes of the first box and eight[first + 1] in all lanes
+/// of the second.
 LANCER_INLINE FloatPairs both(const float* eight, int first) {
     const __m512i at =
         _mm512_inserti32x8(_mm512_set1_epi32(first), _mm256_set1_epi32(first + 1), 1);
@@ -148,7 +150,7 @@ LANCER_INLINE Mask at_most(const FloatPairs& a, const FloatPairs& b) {
     return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
 }
 
-/// elementary::pow, by the function of the same library that gives the same bits.
+/// elementary::pow, by a function of the same library that gives the same bits.
 LANCER_INLINE Numbers power(const Numbers& x, const Numbers& y) {
     return {Sleef_cinz_powd8_u10avx512fnofma(x.v, y.v)};
 }

@@ -19,7 +19,7 @@ const char* name_of(Level level) {
 bool is_supported(Level level) {
     if (level == Level::scalar) return true;
 #ifdef __x86_64__
-    // All that CMakeLists.txt lets the compiler use.
+    // All instruction sets that CMakeLists.txt allows the compiler to use.
     const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                       __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
                       __builtin_cpu_supports("popcnt");

@@ -1,9 +1,9 @@
-// How many rays are traced side by side, by the instructions of the processor at hand.
+// How many rays are traced side by side, and with which instructions.
 #pragma once
 
 namespace lancer {
 
-/// Pictures are the same bytes on every level.
+/// Pictures have the same bytes on every level.
 enum class Level {
     scalar,  ///< one ray at a time
     avx2,    ///< eight rays, in pairs of vectors of four numbers
@@ -13,10 +13,10 @@ enum class Level {
 /// `scalar`, `avx2`, `avx512`
 const char* name_of(Level level);
 
-/// Whether the processor at hand has the level's instructions.
+/// Whether the present processor has the level's instructions.
 bool is_supported(Level level);
 
-/// The fastest that the processor at hand has.
+/// The fastest level that the present processor supports.
 Level best_level();
 
 }  // namespace lancer

@@ -1,4 +1,5 @@
-// The rays of a tile side by side, for processors with AVX2; the only file with its instructions.
+// Traces the rays of a tile side by side, for processors with AVX2. The only file that is compiled
+// with these instructions.
 #define LANCER_LEVEL avx2
 #include "tracer/wide/lanes_avx2.h"
 // All of the level's code, in the order of use.

@@ -1,5 +1,5 @@
-// The rays of a tile side by side, for processors with AVX-512; the only file with its
-// instructions.
+// Traces the rays of a tile side by side, for processors with AVX-512. The only file that is
+// compiled with these instructions.
 #define LANCER_LEVEL avx512
 #include "tracer/wide/lanes_avx512.h"
 // All of the level's code, in the order of use.

@@ -1,4 +1,4 @@
-// What is compiled once for each level, in a namespace of its own: in the order of use.
+// The code that is compiled once for each level, in the level's namespace; in the order of use.
 #pragma once
 
 #include "tracer/wide/job.h"

@@ -1,4 +1,4 @@
-// What the lights bring out of eight surfaces: shading/lighting.h for lanes.
+// The local light of eight surfaces: shading/lighting.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -9,7 +9,7 @@ struct LightSamples {
     Numbers distance;
 };
 
-/// What distance and a spot's cone leave of a light.
+/// The factor of a light by its fade and its spot cone.
 LANCER_INLINE Numbers light_factor(const Light& light, const LightSamples& at, Mask mask) {
     const Numbers zero = all(0.0);
     const Numbers one = all(1.0);
@@ -100,7 +100,7 @@ LANCER_INLINE Vectors tinted(const Surfaces& s, const Numbers& cosine, const Vec
     return select(metallic, color * (white + amount * (s.color - white)), color);
 }
 
-/// Phong's and Blinn's highlights, by their strength.
+/// The strength of Phong's and Blinn's highlights.
 LANCER_INLINE Numbers highlight(const Surfaces& s, const Vectors& ray_dir, const Vectors& mirror,
                                 const Vectors& to_light, Mask mask) {
     const Numbers zero = all(0.0);
@@ -125,23 +125,23 @@ LANCER_INLINE Numbers highlight(const Surfaces& s, const Vectors& ray_dir, const
     return strength;
 }
 
-/// Items that rays in these directions leave for good: left_for_good().
+/// Sets the items that rays in these directions leave for good: left_for_good().
 LANCER_INLINE void set_left(const Surfaces& s, const Vectors& direction, Starts& starts) {
     const Mask outward = less(all(0.0), dot(s.geometric, direction));
     put_selected(starts.left, outward, s.convex, nothing);
 }
 
-/// What is around rays before and behind what they hit.
+/// The bodies around rays before and after their hits.
 struct Around {
     Bodies before, after;
 
-    /// Which of eight rays that start there in these directions go back to the side that the rays
-    /// came from: Crossed::towards().
+    /// Which of eight new rays in these directions go back to the side that the old rays came from:
+    /// Crossed::towards().
     LANCER_INLINE static Mask back(const Surfaces& s, const Rays& r, const Vectors& direction) {
         const Numbers zero = all(0.0);
         return less(zero, dot(s.geometric, direction)) ^ less(zero, dot(s.geometric, r.dir));
     }
-    /// The bodies around such rays.
+    /// Sets the bodies around the new rays.
     void put_towards(Mask is_back, Bodies& bodies) const {
         bodies.depth = before.depth > after.depth ? before.depth : after.depth;
         for (int k = 0; k < bodies.depth; ++k) {
@@ -153,10 +153,10 @@ struct Around {
     }
 };
 
-/// The surfaces' own light: Lighting::local_color().
+/// The local light of the surfaces: Lighting::local_color().
 ///
 /// \param mirror  the rays' directions mirrored at the surfaces
-/// \param around  null where nothing is in a body
+/// \param around  null if no ray is in a body
 inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, const Surfaces& s,
                            const Vectors& mirror, Mask mask, const Around* around = nullptr) {
     const Scene& scene = *job.scene;

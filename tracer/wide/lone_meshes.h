@@ -1,10 +1,10 @@
-// One of eight rays by a mesh where it stands: it is taken into the mesh's space by itself, and
-// goes by the triangles of a leaf side by side.
+// Intersects one of eight rays with a mesh that has a transform: it maps the ray alone to the
+// mesh's space, and tests the triangles of a leaf side by side.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// Whether so few rays are better taken there one by one.
+/// Whether the rays are so few that they are better traced one by one.
 LANCER_INLINE bool is_better_alone(const Scene& scene, const Mesh& mesh, Mask mask) {
     const int few = scene.meshes_of_items != nullptr ? few_rays_among_meshes : few_rays;
     return mesh.frame != nothing && __builtin_popcount(mask) <= few;
@@ -18,10 +18,10 @@ class LoneMeshQuery {
           ray_(world, i, mesh),
           world_error_(lane(world.origin_error, i)) {}
 
-    /// Calls met(hit), for every face but `start_face` that the ray crosses on its way from 0 to
-    /// `last`; crossings behind the start may be among them. It returns true to hear no more.
+    /// Calls met(hit) for every face, except for `start_face`, that the ray crosses between 0 and
+    /// `last`. Crossings behind the start may be among them. `met` returns true to stop.
     ///
-    /// \param last  called for the parameter beyond which nothing matters
+    /// \param last  last() returns the parameter up to which crossings are wanted
     template <Order order, class Last, class Met>
     LANCER_INLINE void crossings(std::uint32_t start_face, const Last& last, const Met& met) {
         const LoneBoxRay box_ray(mesh_.tree, ray_, last());
@@ -29,7 +29,7 @@ class LoneMeshQuery {
         descend<order>(
             mesh_.tree, nullptr, box_ray.slabs, 0, [&] { return box_ray.parameter(last()); },
             [&](std::uint32_t index, std::uint32_t count) {
-                if (shears_.count == 0) set_shear();  // a ray that reaches no leaf does without
+                if (shears_.count == 0) set_shear();  // not needed before the first leaf
                 const TriangleBlock& block = mesh_.leaves[index];
                 Mask some = filter_.may_meet(block) & ((1U << count) - 1);
                 if (start_face != nothing) {
@@ -84,7 +84,7 @@ class LoneMeshQuery {
         rays_.whole = ray_.whole ? 255 : 0;
     }
 
-    /// The triangles of the mask, side by side.
+    /// Intersects the triangles of the mask, side by side.
     template <class Met>
     [[gnu::noinline]] bool meet(const TriangleBlock& block, Mask mask, double last,
                                 const Met& met) const {
@@ -112,10 +112,10 @@ class LoneMeshQuery {
     const double world_error_;
     LoneShear filter_;
     Shears shears_;
-    Rays rays_;  ///< eight times the ray: `origin`, `origin_lo`, `origin_error` and `whole`
+    Rays rays_;  ///< the ray in all lanes; only `origin`, `origin_lo`, `origin_error`, `whole`
 };
 
-/// mesh_crossings() of one ray
+/// mesh_crossings() for one ray
 [[gnu::noinline]] inline void lone_mesh_crossings(const Mesh& mesh, std::uint32_t item,
                                                   const Rays& r, const Starts& starts, int i,
                                                   NearestHits& hits) {
@@ -134,7 +134,7 @@ class LoneMeshQuery {
         });
 }
 
-/// MeshShadow of one ray
+/// MeshShadow for one ray
 [[gnu::noinline]] inline MeshShadow lone_mesh_shadow(const Mesh& mesh, std::uint32_t item,
                                                      const Rays& r, const Starts& starts, int i,
                                                      double distance) {

@@ -1,5 +1,5 @@
-// One of eight rays in the space of a mesh, its coordinates side by side: rays/frame.h and
-// bvh/slabs.h for one ray, the same operations in the same order for each coordinate.
+// One of eight rays in the space of a mesh, with its coordinates side by side: rays/frame.h and
+// bvh/slabs.h for one ray, by the same operations in the same order for each coordinate.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -20,7 +20,7 @@ LANCER_INLINE Vectors all(const Fours& v) {
 /// to_local()
 struct LoneRay {
     Fours origin, origin_lo, dir, inv_dir;
-    Fours about, low;  ///< from the world's start to the mesh's place: origin and low part
+    Fours about, low;  ///< the start minus the frame's shift, in world space: high and low part
     bool whole;
 
     LANCER_INLINE LoneRay(const Rays& r, int i, const Mesh& mesh) {
@@ -63,7 +63,7 @@ struct LoneBoxRay {
         const Fours max = three(tree.max);
         const Fours in = (where_negative(r.inv_dir, max, min) - r.origin) * r.inv_dir;
         const Fours out = (where_negative(r.inv_dir, min, max) - r.origin) * r.inv_dir;
-        // What is no number loses, that of the fourth lane too.
+        // NaNs lose every comparison; the fourth lane is NaN.
         const double near = largest(larger(in, four(0.0)));
         const double far = smallest(smaller(out, four(limit)));
         misses = near > far + gamma<double, 12> * __builtin_fabs(far);
@@ -90,7 +90,7 @@ struct LoneBoxRay {
                               (minus >> a & 1) != 0);
     }
 
-    /// A bound on this parameter from above.
+    /// An upper bound on the parameter t, as box tests use it.
     LANCER_INLINE float parameter(double t) const {
         const double error = gamma<double, 2> * (__builtin_fabs(t) + __builtin_fabs(start_));
         return lone_clearly_above(((t - start_) + error) * scale_);
@@ -106,7 +106,8 @@ struct LoneBoxRay {
         return f + (__builtin_fabsf(f) * 0x1p-23F + 0x1p-149F);
     }
 
-    /// Too large for the type, but no division by 0: the nearer plane must stay near.
+    /// Where 1 / direction overflows float although the direction is not 0: replaces infinity by
+    /// the largest float, so that the nearer plane is not put too far.
     [[gnu::noinline]] static void bring_near(const Fours& inverse, float* by_enter) {
         double exact[4];
         store(exact, inverse);

@@ -1,4 +1,4 @@
-// Eight hits with the faces of one mesh become surfaces: triangle_point(), shading_normal() and
+// The surfaces of eight hits with faces of one mesh: triangle_point(), shading_normal() and
 // make_surface() for lanes.
 #pragma once
 
@@ -19,7 +19,7 @@ LANCER_INLINE Numbers weighted_point_error(const Vectors& ab, const Vectors& ac,
     return select(less(all(0.0), least) & less(along, anyhow), along, anyhow);
 }
 
-/// unit(); `odd` gets the lanes whose squares leave the range.
+/// unit(); adds to `odd` the lanes whose squared length overflows or underflows.
 LANCER_INLINE Vectors unit(const Vectors& v, Mask& odd) {
     const Numbers square = dot(v, v);
     const Mask is_unit = at_most(absolute(square - all(1.0)), all(4 * 0x1p-52));

@@ -1,4 +1,4 @@
-// Eight rays by one mesh where it stands: shapes/mesh.h for lanes.
+// Intersects eight rays with one mesh, with or without a transform: shapes/mesh.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -14,13 +14,13 @@ class MeshQuery {
     /// The rays that start on the mesh.
     Mask own() const { return own_; }
 
-    /// Calls met(hits, face), for every face that rays of the mask cross on their way from 0 to
-    /// `last`, but for the faces that they start on, each with the rays that do; crossings behind
-    /// the start may be among them. It returns rays that want to hear no more.
+    /// Calls met(hits, face) for every face that rays of the mask cross between 0 and `last`, with
+    /// the rays that cross it. A ray's own start face is left out. Crossings behind the start may
+    /// be among them. `met` returns the rays that need no further crossings.
     template <Order order, class Met>
     void crossings(Mask mask, const Numbers& last, Met&& met) {
         const Mask all_rays = mask;
-        Shears shears;  // rays that reach no leaf do without
+        Shears shears;  // computed at the first leaf
         traverse<order>(mesh_.tree, nullptr, rays_, mask, last,
                         [&](std::uint32_t index, std::uint32_t count, Mask some) {
                             if (shears.count == 0) shears.set(rays_, mesh_.reach, all_rays);
@@ -30,7 +30,7 @@ class MeshQuery {
     }
 
   private:
-    /// No more rays than this are tested one by one, with four triangles each.
+    /// Up to this many rays are tested one by one, with four triangles each.
     static constexpr int few = 2;
 
     template <class Met>
@@ -88,7 +88,8 @@ class MeshQuery {
     MeshQuery query(scene, mesh, item, r, starts);
     query.crossings<Order::nearest_first>(
         active, hits.limit, [&](const TriangleHits& h, std::uint32_t face) {
-            // Where it starts a ray meets no other face of what it starts on (IntersectionFilter).
+            // At its start, a ray meets no other face of the mesh that it starts on
+            // (IntersectionFilter).
             const Mask own = h.mask & query.own();
             const Mask taken = hits.add(own & less(h.error, h.t), h.t, h.error, item, h.entering) |
                                hits.add_ahead(h.mask & ~own, h.t, h.error, item, h.entering);

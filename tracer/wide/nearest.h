@@ -1,9 +1,9 @@
-// What eight rays meet first: intersect/nearest_contact.h for lanes.
+// The nearest contacts of eight rays: intersect/nearest_contact.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// Asks the exact methods about one item, for the rays of the mask.
+/// Adds the crossings with one item by the exact methods, for the rays of the mask.
 [[gnu::noinline]] inline void exact_crossings(ExactMethods& exact, std::uint32_t item,
                                               const Rays& r, const Starts& starts, Mask mask,
                                               NearestHits& hits) {
@@ -26,7 +26,7 @@ namespace lancer::wide::LANCER_LEVEL {
     });
 }
 
-/// Adds the crossings with one item of the tree; the mask is not empty.
+/// Adds the crossings with one item of the tree. The mask is not empty.
 LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays& r,
                                  const Starts& starts, Mask mask, NearestHits& hits) {
     const Scene& scene = *job.scene;

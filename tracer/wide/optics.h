@@ -8,8 +8,7 @@ LANCER_INLINE Vectors mirrored(const Vectors& d, const Vectors& n) {
     return normalize(d - all(2.0) * dot(d, n) * n);
 }
 
-/// refracted(): the direction, and which lanes are reflected as a whole, whose direction is
-/// nobody's.
+/// refracted(): the directions, and the lanes with total reflection, where `bent` has no meaning.
 struct Refracted {
     Vectors bent;
     Mask total;
@@ -35,9 +34,9 @@ LANCER_INLINE Numbers fresnel_reflectance(const Numbers& cosine, const Numbers& 
     return select(total, one, a * a * (one + b * b) / all(2.0));
 }
 
-/// The index after opaque surfaces over that before them: opaque_reflectance().
+/// The index after opaque surfaces over the index before them: opaque_reflectance().
 ///
-/// \param outside  the index around the rays
+/// \param outside  the index of the media around the rays
 LANCER_INLINE Numbers opaque_index(const Scene& scene, const NearestHits& hits, const Surfaces& s,
                                    const Numbers& outside, Mask mask) {
     const Numbers index = s.ior / outside;
@@ -48,9 +47,9 @@ LANCER_INLINE Numbers opaque_index(const Scene& scene, const NearestHits& hits, 
     return select(goes_out, all(1.0) / index, index);
 }
 
-/// The share that eight surfaces mirror.
+/// The share of light that eight surfaces mirror.
 ///
-/// \param index  after the surface over that before it
+/// \param index  the index after the surface over the index before it
 LANCER_INLINE Vectors mirror_of(const Surfaces& s, const Vectors& ray_dir, const Numbers& index,
                                 Mask mask) {
     const Mask fresnel = mask & less(all(0.0), s.fresnel);

@@ -1,4 +1,4 @@
-// Eight rays by one plane: shapes/plane.h for lanes.
+// Intersects eight rays with one plane: shapes/plane.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {

@@ -36,7 +36,7 @@ LANCER_INLINE Vectors start_from(const Rays& r, const Vectors& point) {
     return select(r.whole, plain, difference(r.origin, r.origin_lo, point));
 }
 
-/// lost_from_start() of one component.
+/// lost_from_start() for one component.
 LANCER_INLINE Numbers lost_from_start(const Numbers& origin, const Numbers& origin_lo,
                                       const Numbers& point) {
     const NumberPair d = two_sum(origin, -point);
@@ -58,8 +58,8 @@ LANCER_INLINE Numbers lost_from_start(const Numbers& origin, const Numbers& orig
 
 /// The bodies that eight rays are inside of, in the order entered: MediaList.
 struct Bodies {
-    alignas(32) std::uint32_t item[most_bodies][lanes];  ///< `nothing` after a lane's last
-    int depth = 0;                                       ///< rows in use
+    alignas(32) std::uint32_t item[most_bodies][lanes];  ///< `nothing` after a lane's last body
+    int depth = 0;                                       ///< number of rows in use
 
     /// The lanes that are inside of the item.
     LANCER_INLINE Mask inside(std::uint32_t of) const {
@@ -67,7 +67,7 @@ struct Bodies {
         for (int k = 0; k < depth; ++k) mask |= equal(item[k], of);
         return mask;
     }
-    /// The lanes that are inside of anything.
+    /// The lanes that are inside of any body.
     LANCER_INLINE Mask some() const { return depth == 0 ? 0 : 255 & ~equal(item[0], nothing); }
     std::uint32_t last(int i) const {
         int k = depth;
@@ -86,7 +86,7 @@ struct Bodies {
         item[k][i] = of;
         return true;
     }
-    /// The lane is inside of it.
+    /// Removes a body from a lane. The lane must be inside of it.
     void remove(int i, std::uint32_t of) {
         int k = 0;
         while (item[k][i] != of) ++k;
@@ -95,8 +95,8 @@ struct Bodies {
     }
 };
 
-/// Where eight rays start: on what, what they leave for good, and inside of what; `nothing` in
-/// lanes without.
+/// Eight LaneStarts: the items that the rays start on, the items that they leave for good, and the
+/// bodies that contain them; `nothing` in lanes without.
 struct Starts {
     alignas(32) std::uint32_t item[lanes];
     alignas(32) std::uint32_t left[lanes];
@@ -112,7 +112,7 @@ struct Starts {
     }
 };
 
-/// Which crossings with an item count by the state rule of IntersectionFilter, by lanes.
+/// Which entries and exits of an item count, by the state rule of IntersectionFilter, per lane.
 struct Ways {
     Mask in = 255, out = 255;
     Mask inside = 0;  ///< lanes that are in the item

@@ -1,5 +1,5 @@
-// What wide code sees of a world: plain numbers in plain arrays. No function has its body here, and
-// nothing of the standard library's templates: see lanes_avx512.h.
+// The world as wide code reads it: plain numbers in plain arrays. This header defines no functions
+// and uses no templates of the standard library: see lanes_avx512.h.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace lancer::wide {
 
 inline constexpr std::uint32_t nothing = 0xFFFFFFFF;  ///< lancer::none
 
-/// BvhNode<double>, which this must lie over.
+/// BvhNode<double>, with the same layout.
 struct Node {
     float min[3][8];
     float max[3][8];
@@ -70,7 +70,7 @@ struct Frame {
     bool keeps_digits;
 };
 
-/// TriangleLeaf<double>, which this must lie over.
+/// TriangleLeaf<double>, with the same layout.
 struct TriangleBlock {
     double corner[3][3][4];
     std::uint32_t face[4];
@@ -81,19 +81,19 @@ struct MeshShape {
     Tree tree;
     const TriangleBlock* leaves;
     double reach;
-    const std::uint8_t* inward;  ///< null: no face looks inside
+    const std::uint8_t* inward;  ///< per face, whether its normal points inside; null: none does
     const double (*vertices)[3];
     const std::uint32_t (*faces)[3];
     const double (*normals)[3];  ///< null: none are interpolated
     const std::uint32_t (*normal_faces)[3];
 };
 
-/// A mesh where it stands: MeshInstance<double>, and what of its primitive's frame takes a ray
-/// there, in two lines of the cache.
+/// A mesh with its place: MeshInstance<double>, and those parts of its primitive's frame that map a
+/// ray to it. Fills two cache lines.
 struct alignas(64) Mesh {
     double shift[3];
     double inverse_norm;
-    double inverse_x[3];  ///< of linear_inverse the first column
+    double inverse_x[3];  ///< first column of linear_inverse
     double transform_error;
     double inverse_y[3];
     const MeshShape* shape;
@@ -103,12 +103,12 @@ struct alignas(64) Mesh {
 };
 
 enum class Kind : std::uint8_t {
-    ball,  ///< in world space, as boxes and frustums are
+    ball,  ///< in world space, like boxes and frustums
     box,
     frustum,
-    torus,  ///< where it stands, as meshes are
+    torus,  ///< with or without a transform, like meshes
     mesh,
-    other,  ///< which scalar code knows
+    other,  ///< computed by scalar code
 };
 
 struct Item {
@@ -118,23 +118,23 @@ struct Item {
     bool convex = false;
     bool body = false;
     bool casts_shadow = true;
-    bool glassy = false;  ///< lets light pass, or is a medium
-    /// Glassy, and wide code knows what it does to light; else rays that meet it are scalar code's.
+    bool glassy = false;  ///< transmits light, or is a medium
+    /// Glassy, and wide code can shade it. Scalar code traces rays that meet other glassy items.
     bool clear = false;
 };
 
-/// What of Finish<double> wide code computes with.
+/// Those parts of Finish<double> that wide code uses.
 struct Finish {
     double color[3];
     double reflection[3];
     double own[3];  ///< ambient * World::ambient + emission
     double diffuse, phong, shininess, blinn, inverse_roughness, metallic;
     double opacity;
-    double transmittance[3];  ///< the share of light that passes, where it has no texture
+    double transmittance[3];  ///< the share of light that passes, if there is no texture
     double ior;
-    double fresnel;  ///< 1: `reflection` goes by Fresnel's equations, else 0
-    bool plain;      ///< its light is computed in lanes
-    bool textured;   ///< its colour is not
+    double fresnel;  ///< 1: the reflectance follows Fresnel's equations; else 0
+    bool plain;      ///< wide code computes the local light
+    bool textured;   ///< the colour comes from a texture
 };
 
 /// A stop of GradientPattern<double>
@@ -147,13 +147,13 @@ struct Stop {
 struct Pattern {
     enum class Kind : std::uint8_t { checker, gradient };
     Kind kind;
-    double even[3], odd[3];  ///< of a checker
-    double axis[3];          ///< of a gradient, and its stops
+    double even[3], odd[3];  ///< checkers only
+    double axis[3];          ///< gradients only, like `stops`
     const Stop* stops;
     std::uint32_t stop_count;
 };
 
-/// How one item wears a pattern: Placement<double>.
+/// The placement of a pattern on one item: Placement<double>.
 struct Texture {
     double rows[3][3], shift[3], bound[3];
     std::uint32_t pattern;
@@ -166,13 +166,13 @@ struct Light {
         spot,
     };
     Kind kind;
-    bool shadows;  ///< it, and the settings, have them
-    bool fill;     ///< it brings no highlights
+    bool shadows;  ///< both the light and the settings have shadows
+    bool fill;     ///< a light without highlights
     bool fades;
     double place[3];
     double color[3];
     double fade_distance, fade_power;
-    double axis[3];  ///< of a spot, the way its light travels
+    double axis[3];  ///< spots only: the direction in which the light travels
     double cos_radius, cos_falloff, tightness;
 };
 
@@ -190,23 +190,25 @@ struct Scene {
     const Ball* balls;
     const Plane* planes;  ///< items[bounded..]
     const Mesh* meshes;
-    const Mesh* meshes_of_items;  ///< of the bounded ones, in their order; null: some are none
+    /// The meshes of items[0..bounded), in their order. Null unless all of these are meshes, and so
+    /// many that most of them are in no cache.
+    const Mesh* meshes_of_items;
     const Frame* frames;
     const Box* boxes;
     const Frustum* frustums;
     const Torus* tori;
     const Finish* finishes;
-    /// Of each item; `nothing` where it has none, or one that scalar code knows alone; null where
-    /// no item has one that wide code knows.
+    /// Per item the index of its texture; `nothing` if it has none, or one that only scalar code
+    /// can compute. Null if wide code can compute no texture of the scene.
     const std::uint32_t* texture_of;
     const Texture* textures;
     const Pattern* patterns;
-    const std::uint32_t* medium_slots;  ///< of the items; null where nothing is a medium
+    const std::uint32_t* medium_slots;  ///< per item; null if the world has no media
     const double (*medium_bounds)[6];   ///< Bounds<double>: World::medium_bounds
     const Light* lights;
     std::size_t light_count;
     double background[3];
-    bool has_sky;  ///< what is behind depends on the direction
+    bool has_sky;  ///< the background depends on the direction
     bool has_glassy;
     int max_depth;
     double min_contribution;

@@ -1,5 +1,5 @@
-// How eight rays go through a tree: side by side where they keep together, one by one where they
-// part.
+// The traversal of a tree by eight rays: side by side while they stay together, one by one where
+// they diverge.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -7,23 +7,25 @@ namespace lancer::wide::LANCER_LEVEL {
 /// bvh_stack_size<double>
 inline constexpr int stack_size = 768;
 
-/// No more rays than this go on one by one: eight boxes by one ray cost what one box by eight does.
+/// Up to this many rays go on one by one: eight boxes for one ray cost as much as one box for
+/// eight.
 inline constexpr int few_rays = 2;
-/// The same among many meshes, where a ray by itself is told early what memory it will need.
+/// The same among many meshes, where a single ray can prefetch the memory that it will need.
 inline constexpr int few_rays_among_meshes = 4;
 
-/// In which order the boxes that a ray meets are opened.
+/// The order in which the boxes that a ray meets are opened.
 enum class Order {
     nearest_first,
-    /// Leaves at once, where the limit stays: a shadow ray stops at whatever blocks it.
+    /// Any order, leaves at once. For shadow rays: any blocker ends the search, and the limit does
+    /// not change.
     any,
 };
 
-/// One ray as the tests of eight boxes see it.
+/// One ray, prepared for tests against eight boxes.
 struct LoneSlabs {
     struct Axis {
         Floats enter_origin, leave_origin, enter_inverse, leave_inverse;
-        int enter, leave;  ///< where in the node, in floats, the planes are
+        int enter, leave;  ///< offsets of the planes in the node, in floats
 
         LANCER_INLINE void put(int axis, float from_enter, float from_leave, float by_enter,
                                float by_leave, bool minus) {
@@ -38,8 +40,8 @@ struct LoneSlabs {
     Axis axes[3];
 };
 
-/// Asks for the memory of what a ray comes to next, where most of it is in no cache: of many
-/// meshes, more than there is room for, and of the nodes over them.
+/// Prefetches the meshes or nodes that a ray visits next. Useful where there are so many meshes
+/// that most of them are in no cache.
 LANCER_INLINE void ask_for_memory(const Tree& tree, const Mesh* meshes, const Node& node,
                                   Mask met) {
     const auto ask = [](const void* from, int lines) {
@@ -55,10 +57,10 @@ LANCER_INLINE void ask_for_memory(const Tree& tree, const Mesh* meshes, const No
     }
 }
 
-/// Its way through the nodes from `child` on: traverse() of bvh/traverse.h.
+/// Traverses the nodes from `child` on with one ray: traverse() of bvh/traverse.h.
 ///
-/// \param meshes    what the items of the leaves are, item by item, or null
-/// \param last_now  called for a bound on the parameters of boxes that matter
+/// \param meshes    Scene::meshes_of_items, or null
+/// \param last_now  last_now() returns the parameter beyond which boxes do not matter
 /// \param leaf      leaf(first, count) returns true to end the search
 template <Order order, class Last, class Leaf>
 LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs& slabs,
@@ -129,7 +131,7 @@ LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs
     }
 }
 
-/// One ray of eight on its way through the nodes from `child` on.
+/// Traverses the nodes from `child` on with one of eight rays.
 template <Order order, class Limit, class Leaf>
 [[gnu::noinline]] void traverse_alone(const Tree& tree, const Mesh* meshes, const BoxRays& rays,
                                       int i, Mask& active, std::uint32_t child, const Limit& limit,
@@ -149,7 +151,7 @@ template <Order order, class Limit, class Leaf>
         });
 }
 
-/// BoxRays, twice.
+/// BoxRays for two boxes at once.
 struct BoxRayPairs {
     struct Slab {
         FloatPairs enter_origin, leave_origin, enter_inverse, leave_inverse;
@@ -169,10 +171,11 @@ struct BoxRayPairs {
     }
 };
 
-/// Two boxes by eight rays: the parameters at which they may enter each, and which of them may.
+/// The test of eight rays against two boxes: the parameters at which the rays may enter, and the
+/// rays that may meet the boxes.
 struct Entries {
     FloatPairs near;
-    Mask met;  ///< of the first box, then of the second
+    Mask met;  ///< eight bits for the first box, then eight for the second
 };
 LANCER_INLINE Entries enter_boxes(const BoxRayPairs& rays, const Node& node, int c,
                                   const FloatPairs& last) {
@@ -182,7 +185,7 @@ LANCER_INLINE Entries enter_boxes(const BoxRayPairs& rays, const Node& node, int
         const BoxRayPairs::Slab& slab = rays.slabs[a];
         FloatPairs enter = both(slab.minus ? node.max[a] : node.min[a], c);
         FloatPairs leave = both(slab.minus ? node.min[a] : node.max[a], c);
-        if (!slab.one_sign) {  // the one is the maximum, the other the minimum
+        if (!slab.one_sign) {  // enter is the maximum and leave the minimum
             const FloatPairs low = leave;
             leave = where_negative(slab.leave_inverse, low, enter);
             enter = where_negative(slab.leave_inverse, enter, low);
@@ -194,10 +197,10 @@ LANCER_INLINE Entries enter_boxes(const BoxRayPairs& rays, const Node& node, int
 }
 
 /// Calls leaf(first, count, mask) for the leaves that rays of `active` may meet at a parameter in
-/// [0, limit]. `leaf` may take rays out of `active`, and, where near boxes come first, shrink
+/// [0, limit]. `leaf` may remove rays from `active`. With Order::nearest_first it may also lower
 /// `limit`.
 ///
-/// \param meshes  what the items of the leaves are, item by item, or null
+/// \param meshes  Scene::meshes_of_items, or null
 template <Order order, class Leaf>
 void traverse(const Tree& tree, const Mesh* meshes, const Rays& r, Mask& active,
               const Numbers& limit, Leaf&& leaf) {

@@ -1,4 +1,4 @@
-// Eight shadow rays through transparent things, by one search: shading/see_through.h for lanes.
+// Eight shadow rays through transparent objects, by one search: shading/see_through.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -14,16 +14,16 @@ class SeeThroughs {
         for (int& n : count_) n = 0;
     }
 
-    /// The lanes with any.
+    /// The lanes with at least one crossing.
     Mask some() const {
         Mask mask = 0;
         for (int i = 0; i < lanes; ++i) mask |= (count_[i] != 0 ? 1U : 0U) << i;
         return mask;
     }
 
-    /// Takes crossings with one item, in the lanes of the mask: SeeThrough::add().
+    /// Adds crossings with one item, in the lanes of the mask: SeeThrough::add().
     ///
-    /// \param entering  the lanes that go in
+    /// \param entering  the lanes whose crossing is an entry
     LANCER_INLINE void add(Mask mask, const Numbers& t, const Numbers& error,
                            const Numbers& distance, std::uint32_t item, Mask entering) {
         const Numbers margin = all(apart) * error;
@@ -40,11 +40,11 @@ class SeeThroughs {
         });
     }
 
-    /// What is left of the light of lane `i`, which is not unsure: SeeThrough::tells_all(), and
-    /// transmittance().
+    /// The share of light that passes in lane `i`, which is not unsure: SeeThrough::tells_all() and
+    /// SeeThrough::transmittance().
     ///
-    /// \param start  where the way begins, and the bodies that it begins in
-    /// \return false where this cannot be told
+    /// \param start  where the ray begins, and the bodies that contain its start
+    /// \return false if the crossings are not enough to decide
     bool transmittance(const Scene& scene, int i, const LaneStart& start, double* light) {
         sort(i);
         const FilterCrossing* crossings = crossings_[i];
@@ -108,7 +108,7 @@ class SeeThroughs {
     int count_[lanes];
 };
 
-/// The crossings with a ball of glass.
+/// Adds the crossings with a transmissive ball.
 ///
 /// \param own     of `active`, the rays that start on it
 /// \param inside  rays that start inside

@@ -1,15 +1,15 @@
-// How much of a light reaches eight points: light_through() for lanes.
+// The share of a light that reaches eight points: light_through() for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// A ray is blocked as soon as one item blocks it for certain, whatever else lies on the way; where
-/// none does, and some may, the exact methods look at the whole way. What lets light pass is
-/// collected meanwhile.
+/// A ray is blocked as soon as one item certainly blocks it. If none does, but some item may, the
+/// exact methods compute the whole shadow ray. Crossings with transmissive items are collected
+/// meanwhile.
 class ShadowQuery {
   public:
-    /// \param last  an item that was in this light's way a while ago, or `nothing`; gets the last
-    ///              one that is
+    /// \param last  in: an item that recently blocked this light, or `nothing`; out: the last item
+    ///              that blocked it
     ShadowQuery(const Job& job, const Rays& r, const Starts& starts, const Numbers& distance,
                 std::uint32_t& last)
         : job_(job),
@@ -19,13 +19,13 @@ class ShadowQuery {
           distance_(distance),
           last_(last) {}
 
-    /// \param share  gets the share of the light, by colour, of the rays of the mask
+    /// \param share  receives the share of the light per channel, for the rays of `active`
     ///
-    /// \return the rays that get any
+    /// \return the rays that receive light
     Mask lit(Mask active, Vectors& share) {
         ask_planes(active);
         Mask open = active & ~blocked_;
-        // Neighbours are in the same shadow: what hid the light last time is asked before the tree.
+        // Neighbours are often in the same shadow, so the last blocker is tested before the tree.
         if (last_ != nothing && open != 0) {
             ask(last_, open);
             open &= ~(blocked_ | unsure_);
@@ -61,7 +61,7 @@ class ShadowQuery {
         job_.exact->light_share(lane_ray(rays_, i), start, lane(distance_, i), share);
     }
 
-    /// Unsure rays go on here, as a plane may yet block them.
+    /// Tests all planes. Unsure rays are tested as well, because another plane may block them.
     void ask_planes(Mask active) {
         for (std::uint32_t i = scene_.bounded; i < scene_.item_count; ++i) {
             if (!scene_.items[i].casts_shadow) continue;
@@ -109,7 +109,7 @@ class ShadowQuery {
             note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::frustum) {
             const Frustum& frustum = scene_.frustums[item.shape];
-            if (item.glassy) {  // whoever may meet it is looked at with all else on the way
+            if (item.glassy) {  // the exact methods compute rays that may meet it
                 unsure_ |= own | FrustumGuess(frustum, rays_, others, distance_).unsettled;
                 return;
             }
@@ -132,7 +132,7 @@ class ShadowQuery {
         unsure_ |= own;
     }
 
-    /// What lets light pass blocks nothing for certain.
+    /// Notes the result of a test. A glassy item blocks no ray for certain.
     template <class Shadow>
     LANCER_INLINE void note(const Shadow& shadow, bool glassy) {
         (glassy ? unsure_ : blocked_) |= shadow.blocks;

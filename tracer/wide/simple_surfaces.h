@@ -1,11 +1,12 @@
-// Eight hits with balls, boxes and planes become surfaces: surface_point() of shapes/ for lanes.
+// The surfaces of eight hits with balls, boxes and planes: surface_point() of shapes/ for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// The points of hits with balls, put back onto them: surface_point().
+/// The points of hits with balls, projected onto the balls: surface_point().
 ///
-/// \return the hits next to a giant ball, which is another formula's, nothing put
+/// \return hits that are left to scalar code: those so near to the start that another formula is
+///         needed
 LANCER_INLINE Mask put_balls(const Scene& scene, const Rays& r, const NearestHits& hits, Mask mask,
                              Surfaces& s) {
     Vectors center = all(scene.balls[0].center);
@@ -18,7 +19,7 @@ LANCER_INLINE Mask put_balls(const Scene& scene, const Rays& r, const NearestHit
     Vectors normal = normalize(start_from(r, center) + hits.t * r.dir);
     const Numbers way = hits.t * hits.t * r.dir_squared;
     const Numbers scale = radius * all(1.0 / 1024);
-    // unit() leaves alone what is unit but for its rounding; nearly all is.
+    // unit() keeps vectors that are unit up to rounding, which nearly all are. The others are odd.
     const Numbers square = dot(normal, normal);
     const Mask odd =
         mask & (less(way, scale * scale) | ~at_most(absolute(square - all(1.0)), all(4 * 0x1p-52)));
@@ -26,7 +27,7 @@ LANCER_INLINE Mask put_balls(const Scene& scene, const Rays& r, const NearestHit
     return odd;
 }
 
-/// The points of hits with boxes, on their faces: surface_point().
+/// The points of hits with boxes, projected onto their faces: surface_point().
 LANCER_INLINE void put_boxes(const Scene& scene, const Rays& r, const NearestHits& hits, Mask mask,
                              Surfaces& s) {
     const Numbers zero = all(0.0);
@@ -61,7 +62,7 @@ LANCER_INLINE void put_boxes(const Scene& scene, const Rays& r, const NearestHit
     put(mask, anchor, offset, zero, normal, s);
 }
 
-/// The points of hits with one plane, put back onto it: surface_point().
+/// The points of hits with one plane, projected onto it: surface_point().
 LANCER_INLINE void put_plane(const Plane& plane, const Rays& r, const NearestHits& hits, Mask mask,
                              Surfaces& s) {
     const Vectors normal = all(plane.normal);

@@ -1,5 +1,5 @@
-// Eight rays as the tests of boxes see them. All numbers are those of BoxRay (bvh/slabs.h), whose
-// proof holds for them: the same operations in the same order, where the search begins at 0.
+// Eight rays, prepared for tests against boxes. All numbers are those of BoxRay (bvh/slabs.h) for a
+// search that begins at 0, by the same operations in the same order. So the proof there holds here.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -7,7 +7,7 @@ namespace lancer::wide::LANCER_LEVEL {
 /// far_factor<float>
 inline constexpr float far_factor = 1 + 2 * gamma<float, 5>;
 
-/// A number no smaller than x: above the nearest one by at least a unit in the last place.
+/// A float that is at least x: above the float nearest to x by at least a unit in the last place.
 LANCER_INLINE Floats clearly_above(const Numbers& x) {
     const Floats f = rounded(x);
     return f + (absolute(f) * all(0x1p-23F) + all(0x1p-149F));
@@ -17,11 +17,11 @@ class BoxRays {
   public:
     struct Slab {
         Floats enter_origin, leave_origin, enter_inverse, leave_inverse;
-        bool minus;     ///< a direction is negative
-        bool one_sign;  ///< all of them are, or none
+        bool minus;     ///< at least one direction is negative
+        bool one_sign;  ///< all directions are negative, or none is
     };
     alignas(32) Slab slabs[3];
-    Mask misses;  ///< the rays that meet no box of the tree
+    Mask misses;  ///< the rays that miss the box of the whole tree
 
     BoxRays(const Tree& tree, const Rays& r, Mask active, const Numbers& limit) {
         const Numbers zero = all(0.0);
@@ -40,7 +40,7 @@ class BoxRays {
         set_slab(2, r.origin.z, r.dir.z, r.inv_dir.z, active);
     }
 
-    /// Bounds on these parameters from above.
+    /// Upper bounds on the parameters t, as box tests use them.
     LANCER_INLINE Floats parameters(const Numbers& t) const {
         const Numbers error = bound<2>() * (absolute(t) + absolute(start_));
         return clearly_above(((t - start_) + error) * scale_);
@@ -56,7 +56,8 @@ class BoxRays {
         far = smaller(select(minus, low, high), far);
     }
 
-    /// Rays in an object's own space have directions of any length.
+    /// Sets a scale for rays with very long or short directions, which occur in objects' own
+    /// spaces.
     LANCER_INLINE void set_scale(const Vectors& inverse, Mask active) {
         scale_ = all(1.0);
         const Vectors size = absolute(inverse);
@@ -75,14 +76,15 @@ class BoxRays {
         const Numbers at = origin + way;
         const Numbers error = bound<4>() * (absolute(origin) + absolute(way));
         const Floats exact = rounded(inverse * scale_);
-        // Coordinates are rounded up for the one and down for the other side of a box.
+        // Coordinates are rounded up for one side of a box and down for the other.
         const Floats pad = with_sign(clearly_above(all(0x1p-22) * absolute(at) + error), exact);
         const Floats coarse = rounded(at);
         slab.enter_origin = coarse + pad;
         slab.leave_origin = coarse - pad;
         slab.leave_inverse = exact;
         slab.enter_inverse = exact;
-        // Too large for the type, but no division by 0: the nearer plane must stay near.
+        // 1 / direction overflows float although the direction is not 0: the largest float instead
+        // of infinity does not put the nearer plane too far.
         constexpr float most = 0x1.fffffep127F;
         const Mask finite = less(absolute(inverse), all(infinity));
         for_each_lane(finite & ~at_most(absolute(exact), all(most)), [&](int i) {

@@ -1,22 +1,22 @@
-// Eight hits with what shading asks of them: shading/surface.h for lanes.
+// Eight hits with the data that shading needs: shading/surface.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// SurfacePoint<double>, as far as textures ask.
+/// Those members of SurfacePoint<double> that textures need.
 struct SurfacePoints {
     Vectors anchor, offset;  ///< in the primitives' own spaces
     Numbers error;
 };
 
-/// Eight hits with all that shading asks of them: Surface<double> and its finish.
+/// Eight hits with all data that shading needs: Surface<double> and its finish.
 struct Surfaces {
     Vectors position, position_lo, geometric, normal, color, reflection, own;
     Numbers error, opacity, diffuse, phong, shininess, blinn, inverse_roughness, metallic;
     Numbers ior, fresnel;
     alignas(32)
         std::uint32_t convex[lanes];  ///< the items of hits on their convex hulls, else `nothing`
-    SurfacePoints* points;            ///< null: nobody asks
+    SurfacePoints* points;            ///< null if no surface has a texture
 
     LANCER_INLINE void note(Mask mask, const Vectors& anchor, const Vectors& offset,
                             const Numbers& of_point) {
@@ -35,14 +35,14 @@ LANCER_INLINE void put(Mask mask, const VectorPair& place, const Numbers& error,
     s.geometric = select(mask, normal, s.geometric);
     s.normal = select(mask, normal, s.normal);
 }
-/// Points in world space.
+/// For points in world space.
 LANCER_INLINE void put(Mask mask, const Vectors& anchor, const Vectors& offset,
                        const Numbers& error, const Vectors& normal, Surfaces& s) {
     s.note(mask, anchor, offset, error);
     put(mask, two_sum(anchor, offset), error, normal, s);
 }
 
-/// A point in an object's own space, and where it is in the world: make_surface().
+/// Maps points from an object's own space to the world: make_surface().
 struct Moved {
     VectorPair place;
     Numbers error;

@@ -1,4 +1,4 @@
-// Eight hits become surfaces: make_surface() for lanes.
+// The surfaces of eight hits: make_surface() for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -19,7 +19,7 @@ namespace lancer::wide::LANCER_LEVEL {
     });
 }
 
-/// Calls give(to, from) for all that a material gives a surface.
+/// Calls give(to, from) for all members that a surface takes from its material.
 template <class Give>
 LANCER_INLINE void give_finish(const Finish& f, Surfaces& s, const Give& give) {
     give(s.color, f.color);
@@ -52,8 +52,8 @@ LANCER_INLINE void put_finishes(const Scene& scene, const NearestHits& hits, Mas
     }
 }
 
-/// The surfaces of the hits in the mask, which is not empty; other lanes hold numbers that nobody
-/// reads.
+/// Makes the surfaces of the hits in the mask, which is not empty. Other lanes hold meaningless
+/// numbers.
 inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits, Mask mask,
                           Surfaces& s) {
     const Scene& scene = *job.scene;

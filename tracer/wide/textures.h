@@ -8,7 +8,7 @@ struct PatternPoints {
     Vectors at, bound;
 };
 
-/// How eight items wear their textures.
+/// The placements of the textures of eight items.
 struct Textures {
     Vectors rows[3];
     Vectors shift, bound;
@@ -85,7 +85,8 @@ LANCER_INLINE Vectors gradient_colors(const Pattern& p, const PatternPoints& poi
     return color;
 }
 
-/// Gives the surfaces of the mask, which wear textures that wide code knows, their colours.
+/// Sets the colours of the surfaces in the mask. All of them have textures that wide code can
+/// compute.
 [[gnu::noinline]] inline void put_texture_colors(const Scene& scene, const NearestHits& hits,
                                                  const SurfacePoints& at, Mask mask, Surfaces& s) {
     const PatternPoints points = Textures(scene, hits, mask).place(at);

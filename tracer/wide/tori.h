@@ -6,11 +6,11 @@ namespace lancer::wide::LANCER_LEVEL {
 /// The first root of each line, where it goes in, ahead or not.
 struct TorusEntries {
     Mask found = 0;
-    Mask unsure = 0;  ///< lines that scalar code must look at
+    Mask unsure = 0;  ///< lines that scalar code must compute
     Numbers at;       ///< in the line's own parameter
 
-    /// \param own   rays that start on the torus; they are unsure, or found to go away for good
-    /// \param last  roots beyond it may be missing
+    /// \param own   rays that start on the torus; each becomes unsure, or has no root ahead
+    /// \param last  roots beyond this parameter may be missing
     LANCER_INLINE TorusEntries(const TorusLines& line, const TorusLines::Spans& spans, Mask active,
                                Mask own, const Numbers& last) {
         const Numbers zero = all(0.0);
@@ -71,7 +71,7 @@ LANCER_INLINE Rays rays_at(const Scene& scene, const Torus& torus, const Rays& r
 ///
 /// \param own  rays that start on it
 ///
-/// \return rays that the exact method must look at; nothing added
+/// \return rays that the exact method must compute; nothing is added for them
 [[gnu::noinline]] inline Mask torus_crossings(const Scene& scene, const Torus& torus,
                                               std::uint32_t item, const Rays& r, Mask active,
                                               Mask own, NearestHits& hits) {
@@ -83,7 +83,7 @@ LANCER_INLINE Rays rays_at(const Scene& scene, const Torus& torus, const Rays& r
     Mask met = entries.found & ~less(hits.limit, t);
     if (met == 0) return unsure;
     const Numbers error = line.error(entries.at, met);
-    // It must be clear of the start, and the way out of what belongs to the contact.
+    // The entry must be clearly ahead of the start, and the exit clearly outside of the contact.
     const Numbers out = line.ray_parameter(entries.at + line.least_chord(entries.at));
     const Mask clear = less(error, t) & less(t + all(16.0) * error, out);
     unsure |= met & ~clear;

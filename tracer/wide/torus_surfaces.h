@@ -1,4 +1,4 @@
-// Eight hits with one torus become surfaces: surface_point() of shapes/torus.h for lanes.
+// The surfaces of eight hits with one torus: surface_point() of shapes/torus.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -14,7 +14,7 @@ namespace lancer::wide::LANCER_LEVEL {
     const Numbers sine = near.z / away;
     const Numbers out = away - all(torus.ring);
     const Numbers distance = root(out * out + near.y * near.y);
-    // On the axis, or on the ring itself.
+    // Points on the axis, or on the ring's centre line.
     Mask odd = mask & ~(less(zero, away) & less(zero, distance));
     const Numbers outwards = out / distance;
     const Numbers up = near.y / distance;

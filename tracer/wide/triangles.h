@@ -1,5 +1,5 @@
-// Eight rays by one triangle, or one ray by four: shapes/triangle.h and rays/shear.h for lanes. The
-// proofs are there.
+// Intersects eight rays with one triangle, or one ray with four: shapes/triangle.h and rays/shear.h
+// for lanes. The proofs are there.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -11,8 +11,8 @@ LANCER_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Woop's shears of eight rays. Rays whose axes are permuted in the same way are one group; those
-/// that keep together mostly are.
+/// Woop's shears of eight rays. Rays with the same permutation of axes are one group. Rays that
+/// stay together mostly are a single group.
 struct Shears {
     struct Group {
         int x, y, z;
@@ -23,7 +23,7 @@ struct Shears {
     int count = 0;
 
     /// \param active  not empty
-    /// \param reach   bound on the corners' coordinates
+    /// \param reach   bound on the coordinates of all corners
     void set(const Rays& r, double reach, Mask active) {
         const Vectors size = absolute(r.dir);
         const Mask x_over_y = less(size.y, size.x);
@@ -34,7 +34,7 @@ struct Shears {
         for (int z = 0; z < 3; ++z) {
             const Mask along = active & (z == 0 ? along_x : z == 1 ? along_y : ~along_x & ~along_y);
             const Mask backward = along & less(component(r.dir, z), zero);
-            // Backward the other two are swapped, which keeps the winding.
+            // If the direction is negative along z, x and y are swapped, which keeps the winding.
             add(r, {(z + 1) % 3, (z + 2) % 3, z, along & ~backward});
             add(r, {(z + 2) % 3, (z + 1) % 3, z, backward});
         }
@@ -54,7 +54,7 @@ struct Shears {
     }
 };
 
-/// A triangle after the shear: where its corners lie across the rays.
+/// A triangle after the shear: the coordinates of its corners across the rays.
 struct Sheared {
     Numbers ax, ay, bx, by, cx, cy;
 
@@ -67,7 +67,7 @@ struct Sheared {
           cx(component(c, g.x) - s.sx * component(c, g.z)),
           cy(component(c, g.y) - s.sy * component(c, g.z)) {}
 
-    /// Rays that do not pass by for certain.
+    /// Rays that may meet the triangle; all others miss it for certain.
     LANCER_INLINE Mask may_meet(const Numbers& noise) const {
         const Numbers u = cx * by - cy * bx;
         const Numbers v = ax * cy - ay * cx;
@@ -84,11 +84,11 @@ struct TriangleCorners {
           b{all(block.corner[1][0][i]), all(block.corner[1][1][i]), all(block.corner[1][2][i])},
           c{all(block.corner[2][0][i]), all(block.corner[2][1][i]), all(block.corner[2][2][i])} {}
 
-    /// All four, twice.
+    /// All four triangles, twice.
     LANCER_INLINE explicit TriangleCorners(const TriangleBlock& block)
         : a(corners(block.corner[0])), b(corners(block.corner[1])), c(corners(block.corner[2])) {}
 
-    /// By plain differences: the rays of the group that may meet the triangle.
+    /// The filter, from plain differences: the rays of the group that may meet the triangle.
     LANCER_INLINE Mask may_meet(const Rays& r, const Shears& s, const Shears::Group& g) const {
         return Sheared(s, g, a - r.origin, b - r.origin, c - r.origin).may_meet(s.noise);
     }
@@ -99,8 +99,8 @@ struct TriangleCorners {
     }
 };
 
-/// One ray as the filter of four triangles takes it: the axes of its Shears::Group, and numbers of
-/// which all four are alike.
+/// One ray, prepared for the filter against four triangles: the axes of its Shears::Group, and
+/// numbers with the same value in all four lanes.
 struct LoneShear {
     int x, y, z;
     Fours sx, sy;
@@ -127,7 +127,7 @@ struct LoneShear {
     }
 };
 
-/// The same of ray `i`.
+/// The same for ray `i`.
 LANCER_INLINE Mask may_meet(const TriangleBlock& block, const Rays& r, const Shears& s,
                             const Shears::Group& g, int i) {
     const LoneShear shear{g.x,
@@ -158,7 +158,7 @@ LANCER_INLINE Numbers signed_difference_of_products(const Numbers& a, const Numb
     return select(equals, product_rest(a, b, ab) - product_rest(c, d, cd), ab - cd);
 }
 
-/// triangle_error(), for triangles that no transform moved
+/// triangle_error(), for triangles that no transform has moved
 LANCER_INLINE Numbers triangle_error(const Rays& r, const Shears& s, const Shears::Group& g,
                                      const Vectors& a, const Vectors& b, const Vectors& c,
                                      const Numbers& det, const Numbers& t, const Vectors& products,
@@ -186,8 +186,8 @@ LANCER_INLINE Numbers triangle_error(const Rays& r, const Shears& s, const Shear
            bound<3>() * absolute(t);
 }
 
-/// intersect_exactly(), for the rays of the mask, which are of the group, from their start to
-/// `last`
+/// intersect_exactly(), for the rays of the mask, which belong to the group. Crossings beyond
+/// `last` are left out.
 LANCER_INLINE TriangleHits intersect_exactly(const TriangleCorners& triangle, const Rays& r,
                                              const Shears& s, const Shears::Group& g, Mask mask,
                                              const Numbers& last) {

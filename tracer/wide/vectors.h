@@ -1,5 +1,5 @@
-// Eight vectors, and bounds on roundings: model/math.h and numerics/rounding.h for lanes, each
-// function the same operations in the same order.
+// Eight vectors, and bounds on rounding errors: model/math.h and numerics/rounding.h for lanes, by
+// the same operations in the same order.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -8,7 +8,7 @@ inline constexpr double infinity = __builtin_inf();
 
 template <class Real>
 inline constexpr Real unit_roundoff = sizeof(Real) == sizeof(float) ? Real(0x1p-24) : Real(0x1p-53);
-/// lancer::gamma(n), a constant.
+/// lancer::gamma(n), as a constant.
 template <class Real, int n>
 inline constexpr Real gamma = n* unit_roundoff<Real> / (1 - n * unit_roundoff<Real>);
 /// The same in every lane.

@@ -1,5 +1,6 @@
-// Rays in waves: those of the camera, those that they send on, and so on; each wave is traced eight
-// rays at a time, then the light is summed from the last wave back. OpaqueTracer for lanes.
+// OpaqueTracer for lanes. The camera rays are the first wave, the rays that they send on are the
+// second, and so on. Each wave is traced eight rays at a time. Then the light is summed from the
+// last wave back to the first.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -18,7 +19,7 @@ LANCER_INLINE void store_packed(double (*to)[Wave::room], int at, Mask mask, con
     store_packed(to[2] + at, mask, v.z);
 }
 
-/// Gives numbers to what whole vectors read behind the last ray.
+/// Initialises the elements behind the last ray, which whole vectors read.
 inline void pad(Wave& wave) {
     const Numbers zero = all(0.0);
     const Vectors zeros{zero, zero, zero};

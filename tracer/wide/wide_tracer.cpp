@@ -11,7 +11,7 @@
 namespace lancer {
 namespace wide {
 
-// Each compiled in a file of its own, with the level's instructions.
+// Each is compiled in its own file, with the level's instructions.
 void trace_rays_avx2(Job& job, const Camera& camera, const double* x, const double* y, int count);
 void trace_rays_avx512(Job& job, const Camera& camera, const double* x, const double* y, int count);
 
@@ -38,7 +38,8 @@ Camera camera_of(const CameraFrame<double>& frame, int width, int height) {
     return camera;
 }
 
-/// The sums of a tile. Beyond so many chains rays go one by one, and take no more memory.
+/// The sums of a tile. The number of chains is fixed; when all are used, rays go one by one, and
+/// take no more memory.
 class TileLedger : public Ledger {
   public:
     TileLedger() : Ledger{} {
@@ -47,7 +48,7 @@ class TileLedger : public Ledger {
     TileLedger(const TileLedger&) = delete;
     TileLedger& operator=(const TileLedger&) = delete;
 
-    /// Before any is begun.
+    /// Allocates the chains. Call it before the first begin_chain().
     void make_chains() {
         chain_room = 1U << 16;
         own_chains_ = std::make_unique_for_overwrite<Chain[]>(chain_room);
@@ -136,12 +137,12 @@ WideWorld::~WideWorld() = default;
 std::unique_ptr<WideTracer> WideWorld::tracer(const TraceLimits& limits,
                                               const CameraFrame<double>& camera) const {
     if (camera.ahead != 0 || !is_followed(limits, 1.0, 0)) return nullptr;
-    if (world_.planes != world_.bounded) return nullptr;  // something in no tree that is no plane
+    if (world_.planes != world_.bounded) return nullptr;  // an unbounded composite
     const wide::Scene& scene = arrays_->flat.scene();
     if (is_all_opaque(world_))
         return std::make_unique<wide::LevelTracer<OpaqueTracer<double>>>(world_, scene, limits,
                                                                          level_);
-    // Rays must begin outside of all bodies.
+    // Camera rays must begin outside of all bodies.
     if (camera.orthographic) return nullptr;
     for (const Bounds<double>& box : world_.medium_bounds)
         if (box.contains(camera.position)) return nullptr;

@@ -1,5 +1,5 @@
-// Rays side by side through a world in double: the same light, bit for bit, and the same counts as
-// OpaqueTracer and Whitted, one more filter in front of them.
+// Traces rays side by side, in double. The light and the counts are the same, bit for bit, as those
+// of OpaqueTracer and Whitted, in front of which this is one more filter.
 #pragma once
 
 #include <array>
@@ -13,17 +13,17 @@
 
 namespace lancer {
 
-/// Points of the picture, in pixels, that rays are sent through together; neighbours side by side
-/// are fast.
+/// Points of the picture, in pixels, through which rays are traced together. Batches of
+/// neighbouring points are fast.
 struct RayBatch {
     static constexpr int most = 256;
 
     std::array<double, most + 8> x, y;  ///< whole vectors are read
-    std::array<Vec3d, most> color;      ///< what the rays brought
+    std::array<Vec3d, most> color;      ///< result: the colours of the rays
     int count = 0;
 };
 
-/// Traces rays through one world. One object per thread: it counts what it does.
+/// Traces rays through one world. One object per thread, because it counts rays.
 class WideTracer {
   public:
     virtual ~WideTracer() = default;
@@ -34,7 +34,7 @@ class WideTracer {
     virtual RayCounts counts() const = 0;
 };
 
-/// What wide code reads of a world, beside the world.
+/// A world with the arrays that wide code reads.
 class WideWorld {
   public:
     /// \param level  not `scalar`, and supported
@@ -43,9 +43,9 @@ class WideWorld {
 
     Level level() const { return level_; }
 
-    /// Null where rays go one by one: in a world with a composite that has no bounds, from a camera
-    /// far from the scene, or, in worlds with media, from one that may be in a body or has no
-    /// place.
+    /// Null if rays must be traced one by one: in a world with an unbounded composite; for a camera
+    /// far from the scene; for limits that cut even camera rays; and, in worlds that are not all
+    /// opaque, for an orthographic camera or one that may be inside a body.
     std::unique_ptr<WideTracer> tracer(const TraceLimits& limits,
                                        const CameraFrame<double>& camera) const;
 
