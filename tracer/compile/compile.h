@@ -1,4 +1,5 @@
-// Scene → World: number type, scale, primitives, trees. Included by the files that instantiate it.
+// Compiles a Scene to a World: number type, scale, primitives, trees. Only the files that
+// instantiate it include it.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@
 
 namespace lancer {
 
-/// Deeper recursion would need more stack than a thread has, and no picture shows it.
+/// A deeper recursion would need more stack than a thread has, and would change no picture visibly.
 inline constexpr int deepest = 1000;
 
 template <class Real>
@@ -147,7 +148,7 @@ class Compiler {
             p.object = i;
             p.casts_shadow = object.casts_shadow;
             p.medium = requirements_.is_medium(i);
-            // Whether a mesh has an inside is asked only when it matters.
+            // Whether a mesh has an inside is computed only when it matters.
             p.body = std::holds_alternative<MeshRef>(object.shape) ? p.medium
                                                                    : is_body(scene_, object.shape);
             p.convex = traits_of(p.solid).convex;
@@ -162,9 +163,9 @@ class Compiler {
         bounded.insert(bounded.end(), planes.begin(), planes.end());
     }
 
-    /// What one shape shows: of an object, or of a composite's leaf.
+    /// The primitive of one shape, which is an object or a leaf of a composite.
     ///
-    /// \param space  where its texture lies: see bind_texture()
+    /// \param space  the space of its texture: see bind_texture()
     Primitive<Real> part(ShapeCompiler<Real>& solids, const Object& object, std::uint32_t space,
                          const MeshTable& meshes) {
         const TriangleMesh<Real>* mesh = mesh_of(object, meshes);
@@ -180,7 +181,7 @@ class Compiler {
         return p;
     }
 
-    /// A composite, of its leaves.
+    /// The primitive of a composite.
     Primitive<Real> whole(ShapeCompiler<Real>& solids, const Composite& composite,
                           const Object& object, const MeshTable& meshes) {
         Primitive<Real> p;
@@ -215,7 +216,7 @@ class Compiler {
         return ref != nullptr && is_single_point(scene_.patches[ref->patch].control);
     }
 
-    /// Compiles every mesh that an object shows, once.
+    /// Compiles every mesh that some object uses, once.
     MeshTable mesh_needs() {
         std::map<std::uint32_t, MeshNeeds> needs;
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
@@ -253,15 +254,15 @@ class Compiler {
             all.extend(bounds_of(*world_, p));
         }
         world_->bvh = build_bvh(std::move(boxes), most_in_leaf(), threads_);
-        if (world_->bounded > 0) {  // rays of a camera far away begin by it, whatever the tree is
+        if (world_->bounded > 0) {  // begin_near_scene() reads it; it must not depend on the tree
             world_->bvh.bounds = widened(all);
             world_->bvh.reach = world_->bvh.bounds.reach();
         }
         put_in_leaf_order();
     }
 
-    /// A test of a box costs a few instructions, a ray in the space of a mesh or a patch some
-    /// hundred: where most are such, each has a box of its own.
+    /// A box test costs a few instructions; mapping a ray to the space of a mesh or a patch costs
+    /// some hundred. If most primitives are of that kind, each has its own box.
     std::uint32_t most_in_leaf() const {
         std::uint32_t expensive = 0;
         for (std::uint32_t i = 0; i < world_->bounded; ++i) {
@@ -274,8 +275,8 @@ class Compiler {
         return expensive > world_->bounded / 2 ? 1 : 2;
     }
 
-    /// Primitives in leaf order lie together in memory when they are visited together. They change
-    /// places cycle by cycle, so that there is never a second copy of all.
+    /// Sorts the primitives into leaf order, so that primitives that are visited together lie
+    /// together in memory. It moves them cycle by cycle, so no second copy of the array is needed.
     void put_in_leaf_order() {
         std::vector<Primitive<Real>>& primitives = world_->primitives;
         std::vector<std::uint32_t>& order = world_->bvh.order;
@@ -332,10 +333,10 @@ class Compiler {
     int threads_ = 1;
 };
 
-/// Compiles for one number type. Throws SceneError at the place of what cannot be rendered: a
-/// coordinate or colour that leaves the type's range.
+/// Compiles for one number type. Throws SceneError, with the place in the script, if a coordinate
+/// or colour leaves the type's range.
 ///
-/// \param by_povray  null, or by whose rules the shapes are drawn
+/// \param by_povray  POV-Ray's rules, by which shapes are then drawn; may be null
 template <class Real>
 std::unique_ptr<World<Real>> compile_world(const Scene& scene, const Settings& settings,
                                            const PovRayRules* by_povray = nullptr) {

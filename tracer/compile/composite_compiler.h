@@ -1,4 +1,4 @@
-// Composites of the scene → trees of the tracer.
+// Compiles composites of the scene to trees of the tracer.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace lancer {
 
-/// How many numbers the faces of a solid take. Sheets are no leaves.
+/// The number of faces of a solid. 0 for sheets, which cannot be leaves.
 template <class Real>
 struct FaceCount {
     std::uint64_t operator()(const BallSolid<Real>&) const { return 1; }
@@ -30,11 +30,11 @@ struct FaceCount {
     std::uint64_t operator()(const PrismSolid<Real>& s) const {
         return s.surface->curve.segments() + 2;
     }
-    /// A composite in a composite is taken apart before: model/scene.h, Composite.
+    /// A composite in a composite has been flattened: model/scene.h, Composite.
     std::uint64_t operator()(const CompositeSolid<Real>&) const { return 0; }
 };
 
-/// A half space across a coordinate axis has a bound on one side.
+/// The bounds of a leaf. A half space perpendicular to a coordinate axis is bounded on one side.
 template <class Real>
 Bounds<Real> leaf_bounds(const World<Real>& world, const Primitive<Real>& leaf) {
     const auto* half = std::get_if<HalfSpace<Real>>(&leaf.solid);
@@ -52,7 +52,7 @@ Bounds<Real> leaf_bounds(const World<Real>& world, const Primitive<Real>& leaf) 
     return box;
 }
 
-/// The box of the whole, from those of the leaves.
+/// The bounds of the whole, from the bounds of the leaves.
 template <class Real>
 Bounds<Real> composite_bounds(const Composite& from, const std::vector<Bounds<Real>>& leaves) {
     using Kind = Composite::Kind;
@@ -79,7 +79,7 @@ Bounds<Real> composite_bounds(const Composite& from, const std::vector<Bounds<Re
     return nodes.front();
 }
 
-/// Makes the tree of one composite. Its leaves have been made.
+/// Makes the tree of one composite from its compiled leaves.
 template <class Real>
 class CompositeCompiler {
   public:
@@ -87,7 +87,7 @@ class CompositeCompiler {
         tree_.frames = &world.frames;
     }
 
-    /// The next leaf.
+    /// Adds the next leaf.
     void add(const Primitive<Real>& primitive) {
         const Composite::Place& place = from_.leaves[tree_.leaves.size()].place;
         CompositeLeaf<Real> leaf;

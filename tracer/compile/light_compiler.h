@@ -1,4 +1,4 @@
-// From a light of the scene to the tracer's: what is each kind's own.
+// Compiles those members of a light that only its kind has.
 #pragma once
 
 #include <numbers>
@@ -8,13 +8,13 @@
 
 namespace lancer {
 
-/// Colour, shadows, position and fade are there already.
+/// Colour, shadows, position and fade of `made` are already set.
 template <class Real>
 struct LightCompiler {
     using Kind = typename LightSource<Real>::Kind;
 
     LightSource<Real>& made;
-    int scale;  ///< power of two from the scene to the world
+    int scale;  ///< World::scale_exponent
 
     void operator()(const PointLight&) const { made.kind = Kind::point; }
     void operator()(const DirectionalLight& light) const {

@@ -1,4 +1,4 @@
-// Maps into the world: which kinds of them lose nothing, and the frame for all others.
+// Maps into the world: which of them can be baked into a shape, and the frame for all others.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ bool is_identity(const Affine<Real>& map) {
     return map == Affine<Real>{};
 }
 
-/// Whether the linear part is a power of two times the identity, which rounds nothing.
+/// Whether the linear part is a power of two times the identity. Such a map does not round.
 template <class Real>
 bool is_scale_by_two(const Affine<Real>& map) {
     using std::abs;
@@ -24,8 +24,8 @@ bool is_scale_by_two(const Affine<Real>& map) {
            map.rows[2] == Vec3<Real>(0, 0, factor);
 }
 
-/// The factor of a similarity, or 0 for any other map: all columns of one length and at right
-/// angles, as far as rounding lets one see.
+/// The factor of a similarity, or 0 for any other map. A similarity has columns of equal lengths
+/// and at right angles, up to rounding.
 template <class Real>
 Real similarity(const Affine<Real>& map) {
     using std::abs;
@@ -44,7 +44,7 @@ Real similarity(const Affine<Real>& map) {
     return even && square ? sqrt(xx) : Real(0);
 }
 
-/// The frame of an object that stands in the world by this map.
+/// The frame of an object that this map places in the world.
 template <class Real>
 Frame<Real> make_frame(const Affine<Real>& map) {
     const auto row_sum = [](const Affine<Real>& m) {
@@ -63,7 +63,7 @@ Frame<Real> make_frame(const Affine<Real>& map) {
     frame.linear_inverse = convert<Real>(inverse(linear));
     frame.linear_inverse.shift = Vec3<Real>(0);
     frame.norm = row_sum(map);
-    // A shift as written is exact; one that was composed with turns and scales is rounded.
+    // A shift alone is exact; a shift that was composed with rotations and scales is rounded.
     Affine<Real> unshifted = map;
     unshifted.shift = Vec3<Real>(0);
     frame.keeps_digits = is_scale_by_two(unshifted);
@@ -73,8 +73,9 @@ Frame<Real> make_frame(const Affine<Real>& map) {
     return frame;
 }
 
-/// How far rounding may have moved these points: not at all where a shift alone is exact; else
-/// as far as the map's own rounded numbers and the 4 operations per component allow.
+/// A bound on how far rounding moves these points when they are mapped. For a shift, alone or with
+/// a scale by a power of two, it is the rounding error of the sums. For other maps it covers the
+/// rounding of the map's own numbers and of the 4 operations per component.
 template <class Real>
 Real moved_by(const Affine<Real>& map, std::initializer_list<Vec3<Real>> points) {
     const bool only_shift = is_scale_by_two(map);

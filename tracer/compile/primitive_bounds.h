@@ -1,4 +1,4 @@
-// World-space boxes of primitives.
+// Bounding boxes of primitives in world space.
 #pragma once
 
 #include "tracer/scene/world.h"
@@ -15,7 +15,7 @@ Bounds<Real> solid_bounds(const BoxSolid<Real>& s) {
     return {s.min, s.max};
 }
 
-/// A disc of radius r across the unit axis w reaches r sqrt(1 - w_i^2) along axis i.
+/// A disc of radius r perpendicular to the unit axis w extends by r sqrt(1 - w_i^2) along axis i.
 template <class Real>
 Bounds<Real> solid_bounds(const FrustumSolid<Real>& s) {
     using std::sqrt;
@@ -95,7 +95,7 @@ Bounds<Real> solid_bounds(const CompositeSolid<Real>& s) {
     return s.tree->bounds;
 }
 
-/// The box around the mapped box: centre and half-axes mapped, absolute values summed.
+/// The bounds of a mapped box: the mapped centre, and the half extents mapped by absolute values.
 template <class Real>
 Bounds<Real> mapped(const Bounds<Real>& b, const Affine<Real>& map) {
     const Vec3<Real> center = (b.min + b.max) / Real(2);
@@ -114,8 +114,8 @@ Bounds<Real> bounds_of(const World<Real>& world, const Primitive<Real>& p) {
     return p.frame == none ? own : widened(mapped(own, world.frames[p.frame].to_world));
 }
 
-/// Visits boxes that together hold all items of a tree: those two levels below its root, and leaves
-/// above them.
+/// Visits boxes that together contain all items of a tree: the boxes `levels` levels below its
+/// root, and leaves above them.
 template <class Real, class Visit>
 void for_each_box_near_root(const Bvh<Real>& bvh, const BvhNode<Real>& node, int levels,
                             Visit&& visit) {
@@ -129,9 +129,10 @@ void for_each_box_near_root(const Bvh<Real>& bvh, const BvhNode<Real>& node, int
     }
 }
 
-/// A torus is a circle with a ball round each of its points; along each axis of the world both
-/// reach as far as an ellipse and an ellipsoid do. So that computed points of it are in the box,
-/// too, it is larger by some roundings.
+/// The bounds of a mapped torus. A torus is the union of balls about the points of a circle. Along
+/// an axis of the world, its extent is the sum of those of the mapped circle (an ellipse) and of
+/// the mapped ball (an ellipsoid). The box is enlarged by some rounding errors, so that it contains
+/// computed points as well.
 template <class Real>
 Bounds<Real> box_of_turned(const TorusSolid<Real>& torus, const Affine<Real>& to_world) {
     using std::sqrt;
@@ -140,16 +141,16 @@ Bounds<Real> box_of_turned(const TorusSolid<Real>& torus, const Affine<Real>& to
         const Vec3<Real>& given = to_world.rows[static_cast<std::size_t>(i)];
         const Real size = max_component(absolute(given));
         if (!(size > 0)) continue;
-        const Vec3<Real> row = given / size;  // its squares stay in the range
+        const Vec3<Real> row = given / size;  // the squares stay in the number type's range
         const Real circle = sqrt(row.x * row.x + row.z * row.z);
         reach[i] = (torus.ring * circle + torus.tube * length(row)) * (size * torus.grow);
     }
     return widened(around(to_world.shift, reach * (1 + gamma<Real>(32))));
 }
 
-/// The same for the tree of the world: what a mesh that is turned reaches, by boxes of its parts. A
-/// box of the corners of its box is up to three times as large in area, and each ray that meets a
-/// box is taken into the mesh's space.
+/// Bounds for the tree of the world. For a mesh with a frame they are the union of the mapped boxes
+/// of its parts. The mapped box of the whole mesh has up to three times the area, and each ray that
+/// meets it must be mapped to the mesh's space.
 template <class Real>
 Bounds<Real> box_in_tree(const World<Real>& world, const Primitive<Real>& p) {
     Bounds<Real> box = bounds_of(world, p);

@@ -24,7 +24,7 @@ struct Extent {
     double operator()(const Cone& c) const {
         return std::max({largest(c.base), largest(c.top), c.base_radius, c.top_radius});
     }
-    double operator()(const Torus& t) const { return t.radius; }  // and no more than twice that
+    double operator()(const Torus& t) const { return t.radius; }  // true extent: at most twice this
     double operator()(const Plane& p) const { return std::abs(p.offset); }
     double operator()(const Triangle& t) const {
         return std::max({largest(t.points[0]), largest(t.points[1]), largest(t.points[2])});
@@ -38,7 +38,7 @@ struct Extent {
         const Prism& prism = scene.prisms[r.prism];
         return std::max({largest_of(prism.outline), std::abs(prism.bottom), std::abs(prism.top)});
     }
-    /// What stands in the world is its leaves.
+    /// Only the leaves of a composite have an extent.
     double operator()(const CompositeRef&) const { return 0; }
 
     static double largest_of(const std::vector<Vec3d>& points) {
@@ -53,7 +53,7 @@ struct Extent {
     }
 };
 
-/// extent_of() for all shapes of a scene: a mesh that stands in many places is looked through once.
+/// extent_of() for all shapes of a scene. It computes the extent of each mesh once.
 class ShapeExtents {
   public:
     explicit ShapeExtents(const Scene& scene) : scene_(scene), meshes_(scene.meshes.size(), -1) {}
@@ -79,7 +79,7 @@ double extent_of(const Shape& shape, const Scene& scene) {
 
 int scale_exponent(const Scene& scene) {
     ShapeExtents extents(scene);
-    // The largest of exponents, not of values: what a transform makes of 1e300 need not be finite.
+    // The maximum of exponents, not of values: a transform of 1e300 may not be finite.
     int most = -100000;
     const auto take = [&](double value) {
         if (value > 0) most = std::max(most, -exponent_for(value));

@@ -1,4 +1,4 @@
-// Shapes of the scene → solids of the tracer: scaled, and put in world space where that loses
+// Compiles shapes of the scene to solids of the tracer: scaled, and in world space where that loses
 // nothing.
 #pragma once
 
@@ -20,20 +20,20 @@
 
 namespace lancer {
 
-/// What a shape is told whose numbers cannot be computed with beside those of the scene.
+/// The message for a shape whose numbers leave the range of the number type beside the scene's.
 inline constexpr const char* out_of_range =
     "this shape is too large or too small, compared with the rest of the scene, for the chosen "
     "precision";
 
-/// Makes the tracer's solids, and the frames of those that stay in a space of their own.
+/// Makes the tracer's solids, and the frames of those that stay in their own spaces.
 ///
-/// A similarity (turn, mirror, even scale, shift) is baked into a sphere, cylinder, cone; any map
-/// into a plane or triangle; one that keeps the axes apart into a box. All else keeps its shape and
-/// gets a frame.
+/// A similarity (rotation, mirror, uniform scale, shift) is baked into a sphere, cylinder or cone.
+/// Any map is baked into a plane or triangle. A map of axes to axes is baked into a box. In all
+/// other cases the shape keeps its own space and gets a frame.
 template <class Real>
 class ShapeCompiler {
   public:
-    /// \param by_povray  null, or by whose rules patches are drawn
+    /// \param by_povray  POV-Ray's rules, by which patches are then drawn; may be null
     ShapeCompiler(const Scene& scene, const Settings& settings, const PovRayRules* by_povray,
                   World<Real>& world)
         : scene_(scene),
@@ -58,7 +58,7 @@ class ShapeCompiler {
         return p;
     }
 
-    /// The shape's own coordinates are scaled by 2^own, those of the world by 2^scale.
+    /// The exponent `own`: the shape's own coordinates are scaled by 2^own.
     ///
     /// \param mesh  the compiled mesh, for a MeshRef
     int own_exponent(const Object& object, const TriangleMesh<Real>* mesh) const {
@@ -108,7 +108,7 @@ class ShapeCompiler {
                       Primitive<Real>& p) {
         BoxSolid<Real> box{point(b.min, own), point(b.max, own), Real(0)};
         if (is_identity(map)) return box;
-        // One number in each row and column: axes go to axes.
+        // A map of axes to axes has one number in each row and column.
         BoxSolid<Real> moved = box;
         moved.transform_error = moved_by(map, {box.min, box.max});
         bool along_axes = true;
@@ -191,7 +191,7 @@ class ShapeCompiler {
             normalize(convert<Real>(plane.normal / max_component(absolute(plane.normal))));
         const Vec3<Real> on = n * number(plane.offset, own);
         if (is_identity(map)) return HalfSpace<Real>{n, on, Real(0)};
-        // Scaled by a power of two or only moved: not normalized a second time.
+        // After a shift or a scale by a power of two the normal is still a unit vector.
         if (is_scale_by_two(map))
             return HalfSpace<Real>{n, map_point(map, on), moved_by(map, {on})};
         Affine<Wide<Real>> linear = convert<Wide<Real>>(map);
@@ -257,7 +257,8 @@ class ShapeCompiler {
         return PatchSolid<Real>{surface, settings_.smooth};
     }
 
-    /// Where all patches have one tolerance, their borders need no more than that.
+    /// Collects the borders' tolerances, unless all patches have the same tolerance: their borders
+    /// then have it too.
     void collect_borders() {
         std::vector<std::pair<const Patch*, std::optional<double>>> patches;
         bool alike = true;
@@ -281,7 +282,7 @@ class ShapeCompiler {
         return BicubicSolid<Real>{surface};
     }
 
-    /// POV-Ray moves the control points to their place before it does anything else.
+    /// POV-Ray first maps the control points to the world.
     Solid<Real> facets(const PatchRef& ref) {
         const BezierNet net = bezier_net(scene_.patches[ref.patch]);
         const Affine<double>& to_world = scene_.transforms[object_->transform];
@@ -307,8 +308,9 @@ class ShapeCompiler {
         return FacetSolid<Real>{world_.facets.back().get()};
     }
 
-    /// The tolerance of a patch in its own space: the strictest of what is asked of it. That of the
-    /// settings is in world units; a shape's own holds in both, so that no reading of it is broken.
+    /// The tolerance of a patch in its own space: the strictest of all that apply. The tolerance of
+    /// the settings is in units of the scene's world. A patch's own tolerance must hold both in its
+    /// own space and in the world, so that it holds in whichever way a user reads it.
     std::optional<double> own_tolerance(const Object& object, const PatchRef& ref) const {
         const double growth = largest_stretch(scene_.transforms[object.transform]);
         std::optional<double> tolerance;
@@ -342,7 +344,7 @@ class ShapeCompiler {
         return PrismSolid<Real>{world_.extrusions.back().get(), own};
     }
 
-    /// Its leaves are made one by one: composite_compiler.h.
+    /// Never used: the leaves are made one by one (composite_compiler.h).
     Solid<Real> solid(const CompositeRef&, int, const Affine<Real>&, const TriangleMesh<Real>*,
                       Primitive<Real>&) {
         return CompositeSolid<Real>{nullptr};
@@ -352,11 +354,12 @@ class ShapeCompiler {
     const Settings& settings_;
     const PovRayRules* by_povray_;
     World<Real>& world_;
-    /// Patches are triangles where anybody asks for a tolerance, else met on their true surface.
-    /// All in one way: between a triangle and its neighbour's true border light would pass.
+    /// Patches are tessellated if the settings or any patch has a tolerance; otherwise rays meet
+    /// the true surfaces. All patches are treated alike: light would leak between a triangle and
+    /// the true border of its neighbour.
     bool tessellated_;
-    const Object* object_ = nullptr;  ///< the one being made
-    /// Patches that stand in several places are tessellated once for each tolerance.
+    const Object* object_ = nullptr;  ///< the object that is being made
+    /// A patch that several objects use is tessellated once for each tolerance.
     std::map<std::tuple<std::uint32_t, int, std::optional<double>>, const PatchSurface<Real>*>
         patches_;
     std::map<std::pair<std::uint32_t, int>, const BicubicSurface<Real>*> bicubics_;

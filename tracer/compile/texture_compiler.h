@@ -1,4 +1,4 @@
-// Scene → the tracer's textures. Included by the files that instantiate it.
+// Compiles the scene's textures. Only the files that instantiate it include it.
 #pragma once
 
 #include <cmath>
@@ -68,14 +68,14 @@ struct ChartMaker {
     Chart<Real> operator()(const PatchRef&) const { return ParameterChart{}; }
     Chart<Real> operator()(const LatheRef&) const { return ParameterChart{}; }
     Chart<Real> operator()(const PrismRef&) const { return ParameterChart{}; }
-    Chart<Real> operator()(const CompositeRef&) const { return PlanarChart{}; }  // its leaves show
+    Chart<Real> operator()(const CompositeRef&) const { return PlanarChart{}; }  // never used
 
     static Chart<Real> frustum(const Vec3d& base, const Vec3d& top, double base_radius,
                                double top_radius) {
         const Vec3d along = top - base;
         const double longest = max_component(absolute(along));
         const Vec3d y = normalize(along / longest);
-        // The world's x axis made perpendicular to y, or its z axis where x is too near to y.
+        // The world's x axis made perpendicular to y; its z axis if x is too near to y.
         const int aside = std::abs(y.x) > 0.9 ? 2 : 0;
         Vec3d x = -y[aside] * y;
         x[aside] += 1;
@@ -93,7 +93,7 @@ struct ChartMaker {
     }
 };
 
-/// Multiplies by 2^exponent.
+/// The map that multiplies by 2^exponent.
 inline Affine<long double> power_of_two(int exponent) {
     Affine<long double> map;
     for (Vec3<long double>& row : map.rows) row *= std::ldexp(1.0L, exponent);
@@ -116,11 +116,10 @@ void compile_textures(const Scene& scene, World<Real>& world) {
     for (const SceneImage& image : scene.images) world.images.push_back(image.pixels);
 }
 
-/// Where the object's texture lies on its primitive.
+/// The placement of the object's texture on its primitive.
 ///
-/// \param own    a primitive with a frame has its own coordinates scaled by 2^own
-/// \param space  index into Scene::transforms: the space that the texture lies in, unless the
-///               shape's own parameters say where
+/// \param own    exponent: the own coordinates of a primitive with a frame are scaled by 2^own
+/// \param space  index into Scene::transforms: the space of the texture; not used with uv mapping
 template <class Real>
 TextureBinding<Real> bind_texture(const Scene& scene, const World<Real>& world,
                                   const Object& object, const Primitive<Real>& primitive, int own,
@@ -145,8 +144,8 @@ TextureBinding<Real> bind_texture(const Scene& scene, const World<Real>& world,
         map = compose(inverse(convert<long double>(texture.to_object)), map);
     seat.placement.map = convert<Real>(map);
 
-    // A shape that was baked into the world was rounded there at the size of what its place was
-    // summed from.
+    // A shape that was baked into the world was rounded there. The error is relative to the terms
+    // from which its coordinates were summed.
     Vec3<long double> size = absolute(map.shift);
     if (!framed && !(to_world == Affine<double>{})) {
         const Affine<long double> wide = convert<long double>(to_world);

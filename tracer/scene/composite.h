@@ -1,4 +1,4 @@
-// A solid made of solids: its leaves, and which of them must hold a point for the whole to hold it.
+// A composite: its leaves, and which of them must contain a point so that the whole contains it.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,16 @@ namespace lancer {
 template <class Real>
 struct Primitive;
 
-/// Where a child hangs: what it adds to its parent's sum while it holds the point.
+/// A child's place in the tree: its parent, and the weight that it adds to the parent's sum while
+/// it contains the point.
 struct CompositeLink {
     std::uint32_t parent = none;
     std::uint32_t weight = 1;
 };
 
-/// A union, intersection or difference holds a point while the sum over its children lies between
-/// two numbers. The first child of a difference weighs 1, the others 2.
+/// A union, intersection or difference. It contains a point if the sum of the weights of the
+/// children that contain the point is in [low, high]. The first child of a difference has weight 1,
+/// the others have weight 2.
 struct CompositeNode {
     CompositeLink link;
     std::uint32_t low = 1;
@@ -35,21 +37,21 @@ template <class Real>
 struct CompositeLeaf {
     Primitive<Real> primitive;
     CompositeLink link;
-    std::uint32_t first_face = 0;  ///< its faces, as faces of the whole, begin here
-    bool subtracted = false;       ///< the whole lies where this leaf does not
+    std::uint32_t first_face = 0;  ///< number of its first face among the faces of the whole
+    bool subtracted = false;  ///< the leaf is taken away: its outside is the inside of the whole
 };
 
 template <class Real>
 struct CompositeTree {
     std::vector<CompositeNode> nodes;         ///< nodes[0] is the whole
     std::vector<CompositeLeaf<Real>> leaves;  ///< in the order of declaration
-    std::vector<std::uint32_t> bounded;       ///< leaves that `bvh` is over, in its order
+    std::vector<std::uint32_t> bounded;       ///< the leaves in `bvh`, in its order
     std::vector<std::uint32_t> half_spaces;   ///< the other leaves
     Bvh<Real> bvh;
-    Bounds<Real> bounds;  ///< in the world; infinite to where the whole is
+    Bounds<Real> bounds;  ///< in the world; infinite where the whole may be unbounded
     const std::vector<Frame<Real>>* frames = nullptr;  ///< of the world
 
-    /// The leaf that a face of the whole belongs to.
+    /// The leaf to which a face of the whole belongs.
     std::uint32_t leaf_of(std::uint32_t face) const {
         const auto after = std::upper_bound(
             leaves.begin(), leaves.end(), face,
@@ -58,8 +60,8 @@ struct CompositeTree {
     }
 };
 
-/// Set in the number of a face that lies in a contact and does not show there: what starts at the
-/// contact starts on it, too. It stands after all faces that show.
+/// This bit is set in the number of a face that belongs to a contact but does not show there. A ray
+/// that starts at the contact starts on such a face as well. Hidden faces sort after all others.
 inline constexpr std::uint32_t hidden_face = 0x80000000;
 
 }  // namespace lancer

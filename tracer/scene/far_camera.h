@@ -1,9 +1,10 @@
-// Camera rays that begin near the scene instead of at a camera far from it.
+// If the camera is far from the scene, its rays begin near the scene.
 //
-// A point at distance L is known to u L, so from 10^12 sizes away a ray's origin alone puts its
-// hits off by a pixel. The same ray begun on a plane just before the scene is as exact as one of a
-// near camera: there its point is look_at - rest forward + ahead aside, three terms of the scene's
-// own size (`forward` unit, `aside` the pixel's place in the picture at distance 1).
+// A point at distance L is known only up to u L. So at a distance of 10^12 scene sizes, the
+// rounding of the ray's origin alone moves hits by a pixel. A ray that begins on a plane just
+// before the scene is as exact as that of a near camera. Its origin there is look_at - rest forward
+// + ahead aside, three terms of the scene's own size (`forward` is a unit vector, `aside` the
+// pixel's place in the picture at distance 1).
 #pragma once
 
 #include <algorithm>
@@ -14,12 +15,12 @@
 
 namespace lancer {
 
-/// Rays of a camera nearer than this many times the scene's depth begin at the camera: little would
-/// be gained.
+/// A camera that is nearer than this multiple of the scene's depth is not far: its rays begin at
+/// the camera, because little would be gained.
 inline constexpr int far_camera_ratio = 16;
 
-/// Moves the rays' origins forward to a plane before all bounded objects, where the camera is far
-/// from them. What is met before that, which only planes can be, then has a negative parameter.
+/// If the camera is far, moves the rays' origins forward to a plane before all bounded objects.
+/// Crossings before that plane, which only unbounded objects can have, get negative parameters.
 template <class Real>
 void begin_near_scene(const World<Real>& world, const Camera& camera,
                       CameraFrame<Real>& camera_frame) {
@@ -28,7 +29,7 @@ void begin_near_scene(const World<Real>& world, const Camera& camera,
     const Vec3<Real> view = look_at - camera_frame.position;
     const Real largest = max_component(absolute(view));
     const Real distance = largest * length(view / largest);
-    // How far the scene reaches from the look_at towards the camera.
+    // How far the scene extends from the look_at point towards the camera.
     Real reach = 0;
     const Bounds<Real>& box = world.bvh.bounds;
     for (int corner = 0; corner < 8; ++corner) {
@@ -38,7 +39,7 @@ void begin_near_scene(const World<Real>& world, const Camera& camera,
         reach = std::max(reach, dot(look_at - p, camera_frame.forward));
     }
     if (!(reach > 0) || !(reach * far_camera_ratio < distance)) return;
-    // A power of two, so that it does not follow the last digits of the box.
+    // A power of two, so that it does not depend on the last digits of the box.
     using std::ilogb;
     using std::ldexp;
     const Real rest = ldexp(Real(1), ilogb(reach) + 2);

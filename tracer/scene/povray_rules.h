@@ -1,20 +1,20 @@
-// What our renderer must know to trace a ray by POV-Ray's rules instead of its own.
+// The data that the tracer needs to trace a ray by POV-Ray's rules instead of its own.
 #pragma once
 
 #include <vector>
 
 namespace lancer {
 
-/// Where POV-Ray 3.7 does otherwise by rule, the judge asks what a ray brings by that rule:
-/// docs/export.md, "Known differences". The exporter knows what the rules say of its file.
+/// POV-Ray 3.7 has some rules that differ from ours: docs/export.md, "Known differences". The judge
+/// asks for the colour of a ray by such a rule. The exporter knows these values for its file.
 struct PovRayRules {
-    /// POV-Ray's unit of length in the scene's: its constants are absolute.
+    /// POV-Ray's unit of length in units of the scene. POV-Ray's constants are absolute lengths.
     double unit = 1;
-    /// Of the patches, in the order of Scene::patches: each Bezier patch is drawn as 2^h x 2^h x 2
-    /// triangles.
+    /// h for each patch, in the order of Scene::patches: POV-Ray draws each Bezier patch as
+    /// 2^h x 2^h x 2 triangles.
     std::vector<int> patch_halvings;
-    /// False: the judge's recursion does as Lancer does, and what it brings is our picture, or ours
-    /// is wrong.
+    /// False: the judge's recursion uses Lancer's rules. Its colours must then be those of our
+    /// picture.
     bool followed = true;
 };
 

@@ -1,4 +1,4 @@
-// A compiled scene: what the tracer reads, once per ray and shape. Never changes after compile.
+// A compiled scene, as the tracer reads it. It never changes after it is compiled.
 #pragma once
 
 #include <array>
@@ -41,12 +41,12 @@ SolidTraits traits_of(const Solid<Real>& solid) {
     return std::visit([](const auto& s) { return s.traits; }, solid);
 }
 
-/// What a face of a primitive belongs to.
+/// The owner of a face of a primitive.
 template <class Real>
 struct FaceOwner {
-    const Primitive<Real>* primitive;  ///< itself, or of a composite a leaf
-    std::uint32_t face;                ///< as the owner's shape numbers its faces
-    bool turned;                       ///< its outside is the primitive's inside
+    const Primitive<Real>* primitive;  ///< the primitive itself, or a leaf of a composite
+    std::uint32_t face;                ///< number of the face in the owner's shape
+    bool turned;                       ///< the owner's outside is the primitive's inside
 };
 
 template <class Real>
@@ -59,14 +59,15 @@ struct Primitive {
     std::uint32_t corner_normals =
         none;                   ///< index into World::corner_normals; lone smooth triangles
     bool body = false;          ///< has an inside
-    bool convex = false;        ///< so a straight line that has left it does not come back
+    bool convex = false;        ///< a straight line that has left it does not come back
     bool transmissive = false;  ///< some light may pass through its surface
-    bool medium = false;  ///< a body whose inside matters to rays: transmissive, or of its own ior
-                          ///< or absorption
+    bool medium =
+        false;  ///< a body whose inside matters to rays: transmissive, or with its own ior
+    ///< or absorption
     bool casts_shadow = true;
     std::uint32_t medium_slot = none;  ///< index into World::mediums
 
-    /// What it is made of; null where it is not made of others.
+    /// The tree of a composite; null for other primitives.
     const CompositeTree<Real>* composite() const {
         const auto* solid_made = std::get_if<CompositeSolid<Real>>(&solid);
         return solid_made == nullptr ? nullptr : solid_made->tree;
@@ -80,7 +81,7 @@ struct Primitive {
     }
 };
 
-/// A material in the tracer's number type, with what follows from it alone.
+/// A material in the tracer's number type, with values derived from it.
 template <class Real>
 struct Finish {
     Vec3<Real> color;
@@ -106,7 +107,7 @@ struct LightSource {
     Kind kind;
     Vec3<Real> position;  ///< point, spot
     Vec3<Real>
-        direction;  ///< directional: towards the light, unit; spot: the axis, away from it, unit
+        direction;  ///< unit; directional: towards the light; spot: its axis, away from the light
     Vec3<Real> color;
     bool shadows;  ///< false: a fill light
     bool fades = false;
@@ -117,14 +118,14 @@ struct LightSource {
 template <class Real>
 struct World {
     std::vector<Primitive<Real>> primitives;  ///< in leaf order of `bvh`, then the unbounded ones
-    std::uint32_t bounded = 0;                ///< primitives[bounded..] are in no tree
-    std::uint32_t planes = 0;  ///< primitives[planes..] are half spaces; composites before them
+    std::uint32_t bounded = 0;                ///< primitives[bounded..] are not in the tree
+    std::uint32_t planes = 0;  ///< primitives[planes..] are half spaces, after unbounded composites
     Bvh<Real> bvh;             ///< over primitives[0..bounded)
     std::vector<Frame<Real>> frames;
     std::vector<Bounds<Real>>
-        medium_bounds;  ///< of `mediums`, in the same order; unbounded: infinite
+        medium_bounds;  ///< of `mediums`, in the same order; infinite if unbounded
     std::vector<std::uint32_t>
-        mediums;  ///< primitives that are media: largest box first, then declaration
+        mediums;  ///< primitives that are media: largest box first, then in order of declaration
     std::vector<std::unique_ptr<TriangleMesh<Real>>> meshes;
     splines::BorderTolerances patch_borders;  ///< where patches of different tolerances may meet
     std::vector<std::unique_ptr<PatchSurface<Real>>> patches;
@@ -137,23 +138,23 @@ struct World {
     std::vector<Finish<Real>> finishes;
     std::vector<Pattern<Real>> textures;                 ///< in the order of Scene::textures
     std::vector<TextureBinding<Real>> texture_bindings;  ///< of the textured primitives
-    std::vector<std::shared_ptr<const Image>> images;    ///< that `textures` point to
+    std::vector<std::shared_ptr<const Image>> images;    ///< `textures` point to them
     std::vector<LightSource<Real>> lights;
     Vec3<Real> background{0};
-    std::optional<SkyPattern<Real>> sky;  ///< in its place
+    std::optional<SkyPattern<Real>> sky;  ///< replaces `background`
     Vec3<Real> ambient{1};
     Settings settings;
 
     /// World coordinates are those of the scene times 2^scale_exponent, so that their extent is
-    /// near 1: scaling a scene by a power of two changes nothing after compile, bit for bit.
+    /// near 1. Scaling a scene by a power of two therefore changes no bit of the compiled world.
     int scale_exponent = 0;
     bool has_transmission = false;  ///< some primitive is transmissive
-    bool has_media = false;         ///< lists of bodies must be carried
-    bool has_smooth_media = false;  ///< some of them are meshes with interpolated normals
+    bool has_media = false;         ///< rays must carry lists of bodies
+    bool has_smooth_media = false;  ///< some media are meshes with interpolated normals
     bool has_textures = false;
 };
 
-/// What a ray brings that hits nothing.
+/// The colour of a ray that hits nothing.
 template <class Real>
 Vec3<Real> color_behind(const World<Real>& world, const Vec3<Real>& direction) {
     return world.sky ? color_at(*world.sky, direction) : world.background;
