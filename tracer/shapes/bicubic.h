@@ -1,4 +1,4 @@
-// Patches met on their true surface, piece by piece.
+// Patches whose true surfaces rays meet, piece by piece.
 #pragma once
 
 #include <atomic>
@@ -17,32 +17,33 @@
 
 namespace lancer {
 
-/// A patch or net cut into pieces, with a tree over them.
+/// A patch or net that is cut into pieces, with a tree over them.
 template <class Real>
 struct PieceTree {
+    /// One Bezier patch.
     struct Home {
-        Vec3<Real> anchor;              ///< a control point of the Bezier patch
-        Real size;                      ///< the others are at most this far from it, by coordinate
+        Vec3<Real> anchor;              ///< a control point of the patch
+        Real size;                      ///< bound on each coordinate of `points`
         splines::Bicubic<Real> points;  ///< relative to `anchor`
-        Real column, row;               ///< where the patch lies in its net
+        Real column, row;               ///< place of the patch in its net
     };
     std::vector<Home> homes;
     std::vector<splines::Piece<Real>> pieces;
-    std::vector<splines::PieceFrame<Real>> frames;  ///< of each piece
-    std::vector<std::uint32_t> home;                ///< of each piece
-    Real columns = 1, rows = 1;                     ///< of the net
+    std::vector<splines::PieceFrame<Real>> frames;  ///< one per piece
+    std::vector<std::uint32_t> home;                ///< per piece an index into `homes`
+    Real columns = 1, rows = 1;                     ///< size of the net
     Bvh<Real> bvh;
 };
 
 template <class Real>
 PieceTree<Real> make_piece_tree(const Patch& patch, int exponent);
 
-/// A patch or net of the scene. What no ray comes near is never cut; the result does not depend on
-/// who asks first.
+/// A patch or net of the scene. It is cut into pieces when the first ray comes near it. The result
+/// does not depend on which ray that is.
 template <class Real>
 class BicubicSurface {
   public:
-    /// \param exponent  its points are the patch's own times 2^exponent
+    /// \param exponent  its points are those of the patch times 2^exponent
     BicubicSurface(Patch patch, int exponent);
 
     /// Safe from many threads: one builds, the others wait.
@@ -51,7 +52,7 @@ class BicubicSurface {
         return ready != nullptr ? *ready : build();
     }
     const PieceTree<Real>* built() const { return ready_.load(std::memory_order_acquire); }
-    /// Of the control points, which hold the surface.
+    /// The bounds of the control points, and so of the surface.
     const Bounds<Real>& bounds() const { return bounds_; }
 
   private:
@@ -65,19 +66,19 @@ class BicubicSurface {
     mutable std::atomic<const PieceTree<Real>*> ready_{nullptr};
 };
 
-/// One place where a patch stands. Faces are its pieces.
+/// One instance of a patch. Its faces are the pieces.
 template <class Real>
 struct BicubicSolid {
     const BicubicSurface<Real>* surface;
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
-/// The ray's start as a piece's points are kept, and how far from their true places rounding puts
-/// them as seen along the ray. The cuts rounded the points, 3 times a level, and the start and the
-/// shear once or twice each.
+/// The ray's start relative to a piece's anchor, and `noise`: a bound on how far rounding displaces
+/// the piece's points as seen along the ray. Each level of cuts rounded the points 3 times; the
+/// start and the shear are rounded once or twice each.
 template <class Real>
 struct PieceStart {
     Vec3<Real> at;
@@ -89,8 +90,8 @@ struct PieceStart {
                 2 * ray.origin_error) {}
 };
 
-/// The crossings with one piece. Seen along the ray its points are a map of the plane, whose zeros
-/// are the crossings; the coordinate along the ray then gives t.
+/// The crossings with one piece. Projected along the ray, the piece is a map of (u, v) to a plane.
+/// The zeros of the map are the crossings. The coordinate along the ray then gives t.
 template <class Real, class Report>
 void piece_crossings(const splines::Piece<Real>& piece, std::uint32_t index,
                      const PieceStart<Real>& start, const Shear<Real>& s, Report&& report) {
@@ -121,12 +122,13 @@ void piece_crossings(const splines::Piece<Real>& piece, std::uint32_t index,
     splines::PlaneZeros<Real, decltype(found)>(start.noise, found).search(net);
 }
 
-/// What a filter settles without a crossing formed.
+/// The result of a filter that computes no exact crossing.
 enum class Foreseen { nothing, no_crossing, enough };
 
-/// That the line passes a piece by, or meets it outside of the interval, or where it starts on it
-/// and nowhere else, as it meets it at most once; or `enough`: it meets it for certain, and the
-/// query wants to hear no more.
+/// `no_crossing`: the line misses the piece, or meets it outside of the interval; or it starts on
+/// the piece, and then has no other crossing, because it meets the piece at most once. `enough`:
+/// the line certainly meets the piece, and the query needs nothing else. `nothing`: the filter does
+/// not decide.
 template <class Real, class Last>
 Foreseen foresee(const PieceTree<Real>& tree, std::uint32_t index, const Ray<Real>& ray,
                  const PieceStart<Real>& start, const IntersectionHints& hints,
@@ -148,7 +150,7 @@ void crossings(const BicubicSolid<Real>& solid, const Ray<Real>& ray,
                const IntersectionHints& hints, const RayInterval<Real, Last>& interval,
                Report&& report) {
     const PieceTree<Real>& tree = solid.surface->tree();
-    std::optional<Shear<Real>> shear;  // most rays do without
+    std::optional<Shear<Real>> shear;  // most rays do not need it
     const auto piece = [&](std::uint32_t index) {
         const PieceStart<Real> start(tree.homes[tree.home[index]], ray);
         const Foreseen known = foresee(tree, index, ray, start, hints, interval);

@@ -1,4 +1,4 @@
-// Cutting a patch's true surface into pieces. Included by the files that instantiate it.
+// Cuts a patch's true surface into pieces. Only the files that instantiate it include it.
 #pragma once
 
 #include <cmath>
@@ -10,10 +10,10 @@
 namespace lancer {
 namespace bicubic_build {
 
-/// How much a piece's slopes may differ from their mean. Larger: fewer pieces, more halving per
-/// ray. Chosen by measuring; it decides nothing about the picture.
+/// How much a piece's slopes may differ from their mean. A larger value gives fewer pieces but more
+/// subdivision per ray. It was chosen by measurements; the picture does not depend on it.
 inline constexpr double evenness = 0.3;
-/// Poles and folds are never even; rays halve further where they must.
+/// Poles and folds are never even. There rays subdivide further.
 inline constexpr int most_cuts = 8;
 
 inline Vec3d scaled_point(const Vec3d& p, int exponent) {
@@ -54,7 +54,7 @@ PieceTree<Real> make_piece_tree(const Patch& patch, int exponent) {
                     const auto& c = tree.pieces[k].c;
                     box.extend(Vec3<Real>(c[0][p], c[1][p], c[2][p]));
                 }
-                // Where the true points are that the cuts rounded.
+                // The true points lie within this distance of the rounded ones.
                 const Vec3<Real> pad(gamma<Real>(32) * home.size);
                 boxes.push_back({home.anchor + (box.min - pad), home.anchor + (box.max + pad)});
             }

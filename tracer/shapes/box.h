@@ -1,4 +1,4 @@
-// The box along the axes of its space.
+// Boxes along the axes of their space.
 #pragma once
 
 #include "tracer/numerics/lanes.h"
@@ -17,7 +17,7 @@ struct BoxSolid {
         0;  ///< bound on how far rounding moved it when a transform put it into the world
 
     static constexpr SolidTraits traits{.convex = true, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return max_component(Vec3<Real>(max - min)); }
 };
 
@@ -26,7 +26,7 @@ inline constexpr std::uint32_t box_face(int axis, bool at_max) {
     return static_cast<std::uint32_t>(2 * axis + (at_max ? 1 : 0));
 }
 
-/// The line inside a box: where it goes in and out, and by which face.
+/// The part of a line inside a box: its ends, and their faces.
 template <class Real>
 struct BoxSpan {
     static constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -34,10 +34,11 @@ struct BoxSpan {
     Real out = infinity;
     std::uint32_t in_face = 0;
     std::uint32_t out_face = 0;
-    bool started_in = false;  ///< the line starts on the face that it goes in by
+    bool started_in = false;  ///< the line starts on the face by which it enters
 };
 
-/// From the start to the box's two planes across an axis, exact differences rounded once.
+/// The differences from the start to the box's two planes perpendicular to an axis; exact, then
+/// rounded once.
 template <class Real>
 Two<Real> to_planes(const BoxSolid<Real>& box, const Ray<Real>& ray, int axis) {
     const Two<Real> planes(std::array<Real, 2>{box.min[axis], box.max[axis]});
@@ -47,8 +48,8 @@ Two<Real> to_planes(const BoxSolid<Real>& box, const Ray<Real>& ray, int axis) {
     return d.hi + (d.lo - Two<Real>(ray.origin_lo[axis]));
 }
 
-/// Cuts the span down to what lies between the two faces across an axis. Returns false when nothing
-/// is left and the line is not known to be inside.
+/// Clips the span to the slab between the two faces perpendicular to an axis. Returns false if the
+/// line runs parallel to them, outside of the slab, and is not known to be inside.
 template <class Real>
 [[gnu::always_inline]] inline bool cut(BoxSpan<Real>& span, const BoxSolid<Real>& box,
                                        const Ray<Real>& ray, int axis,
@@ -81,10 +82,10 @@ template <class Real>
     return true;
 }
 
-/// The line inside the box is the intersection of three intervals, one between each pair of faces
-/// (Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986). Which face is near is told by the
-/// sign of the direction, never by comparing numbers that may be equal: so a box of no thickness
-/// has two faces with the right normals.
+/// The part of the line inside the box is the intersection of three intervals, one between each
+/// pair of faces (Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986). The sign of the
+/// direction decides which face is near, never a comparison of numbers that may be equal. So a box
+/// of zero thickness has two faces with the right normals.
 template <class Real, class Last, class Report>
 void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const IntersectionHints& hints,
                const RayInterval<Real, Last>& interval, Report&& report) {
@@ -95,7 +96,7 @@ void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Intersecti
         !cut(span, box, ray, 2, hints))
         return;
     if (span.in > span.out && !hints.inside && !span.started_in) return;
-    // A difference, its small part, a reciprocal and a product.
+    // The 4 roundings of t: a difference, its low part, a reciprocal and a product.
     const auto offer = [&](Real t, std::uint32_t face, bool entering, Real chord) {
         if (face == hints.start_face || !(abs(t) < infinity) || interval.ends_before(t) ||
             !hints.asks_about(entering))
@@ -110,7 +111,7 @@ void crossings(const BoxSolid<Real>& box, const Ray<Real>& ray, const Intersecti
     offer(span.out, span.out_face, false, infinity);
 }
 
-/// The crossing's point, with the face's own coordinate exact.
+/// The point of a crossing. The coordinate across the face is exact.
 template <class Real>
 SurfacePoint<Real> surface_point(const BoxSolid<Real>& box, const Ray<Real>& ray, Real t,
                                  std::uint32_t face) {

@@ -1,5 +1,5 @@
-// Solids made of solids, as one shape among the others. What they are made of is in
-// scene/composite.h, where a ray crosses them in intersect/composite_crossings.h.
+// Composites as one shape among the others. scene/composite.h has their trees, and
+// intersect/composite_crossings.h their crossings.
 #pragma once
 
 #include <limits>
@@ -16,7 +16,7 @@ struct CompositeSolid {
     const CompositeTree<Real>* tree;
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 

@@ -1,4 +1,4 @@
-// A patch as POV-Ray draws it, for the judge: flat facets under mixed normals.
+// A patch as POV-Ray draws it, for the judge: flat facets with interpolated normals.
 #pragma once
 
 #include <limits>
@@ -13,33 +13,33 @@
 namespace lancer {
 
 /// A patch or net in the world. POV-Ray 3.7 halves each Bezier patch `halvings` times in both
-/// directions (`bicubic_patch` of type 1 with flatness 0) and joins the corners of what is left by
-/// two triangles. Nothing is stored of them: a ray finds its own by halving anew.
+/// directions (`bicubic_patch` of type 1 with flatness 0), and makes two triangles of the corners
+/// of each cell. The triangles are not stored: each ray halves the patch anew.
 template <class Real>
 struct FacetSurface {
     struct Home {
         splines::Bicubic<Real> points;
-        Real column, row;  ///< where the Bezier patch lies in its net
+        Real column, row;  ///< place of the Bezier patch in its net
     };
     std::vector<Home> homes;
-    Real columns = 1, rows = 1;  ///< of the net
+    Real columns = 1, rows = 1;  ///< size of the net
     int halvings = 0;
-    Real reach = 0;  ///< bound on the size of a coordinate of any facet: of all control points
+    Real reach = 0;  ///< largest absolute coordinate of all control points, and so of all facets
 };
 
-/// One place where such a patch stands. A face is numbered by the number of its Bezier patch, the
-/// quarters that lead to its cell, two bits each, and a bit for which of the two triangles it is.
+/// One instance of such a patch. The number of a face consists of the number of its Bezier patch,
+/// two bits for each quarter that leads to its cell, and one bit for the triangle in the cell.
 template <class Real>
 struct FacetSolid {
     const FacetSurface<Real>* surface;
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
-/// Both halves of a cubic Bezier curve whose points lie `step` apart. De Casteljau; Farin, Curves
-/// and Surfaces for CAGD, section 4.
+/// Halves a cubic Bezier curve; its points have the indices first, first + step, ... De Casteljau;
+/// Farin, Curves and Surfaces for CAGD, section 4.
 template <class Real>
 void halve(splines::Bicubic<Real>& low, splines::Bicubic<Real>& high, std::size_t first,
            std::size_t step) {
@@ -59,7 +59,8 @@ void halve(splines::Bicubic<Real>& low, splines::Bicubic<Real>& high, std::size_
     at(3) = middle;
 }
 
-/// The four quarters: bit 0 of the index for the far half along a row, bit 1 from row to row.
+/// The four quarters. Bit 0 of the index: the second half along a row. Bit 1: the second half from
+/// row to row.
 template <class Real>
 std::array<splines::Bicubic<Real>, 4> quarters(const splines::Bicubic<Real>& points) {
     std::array<splines::Bicubic<Real>, 4> out;
@@ -82,11 +83,11 @@ TriangleSheet<Real> facet(const splines::Bicubic<Real>& cell, std::size_t which)
     return {cell[corner[0]], cell[corner[1]], cell[corner[2]], Real(0)};
 }
 
-/// POV-Ray takes two directions for one when the square of the sine between them is below this.
+/// POV-Ray treats two directions as parallel if the squared sine of their angle is below this.
 template <class Real>
 inline constexpr Real no_plane = Real(1e-10L);
 
-/// Whether the line comes near enough to the points to meet what they span.
+/// Whether the line meets a ball around the points, which contains all facets that they span.
 template <class Real>
 bool may_meet(const splines::Bicubic<Real>& points, const Ray<Real>& ray) {
     using std::sqrt;
@@ -157,7 +158,7 @@ void crossings(const FacetSolid<Real>& solid, const Ray<Real>& ray,
         if (search.visit(surface.homes[i].points, i, 0)) return;
 }
 
-/// POV-Ray's normal of a Bezier patch: of unit length, and the world's x where there is none.
+/// POV-Ray's normal of a Bezier patch: a unit vector; the world's x axis where there is none.
 template <class Real>
 Vec3<Real> facet_normal(const splines::Bicubic<Real>& points, const Vec2<Real>& place) {
     const splines::PatchSample<Real> at =
@@ -168,8 +169,8 @@ Vec3<Real> facet_normal(const splines::Bicubic<Real>& points, const Vec2<Real>& 
     return normalize(n);
 }
 
-/// The point at weights u, v of a face: its shading normal is the mean of the true ones at the
-/// corners, its parameters are linear within the triangle.
+/// The point at the barycentric coordinates u, v of a face. Its shading normal interpolates the
+/// true normals at the corners; its parameters are linear within the triangle.
 template <class Real>
 SurfacePoint<Real> facet_point(const FacetSolid<Real>& solid, std::uint32_t face, Real u, Real v) {
     const FacetSurface<Real>& surface = *solid.surface;

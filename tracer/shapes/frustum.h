@@ -1,4 +1,4 @@
-// Cylinders and cones, truncated or not: one solid, whose radius is linear along its axis.
+// Cylinders and cones, truncated or not, as one solid whose radius is linear along its axis.
 #pragma once
 
 #include "tracer/rays/faces.h"
@@ -9,7 +9,7 @@ namespace lancer {
 
 /// The solid is the side's interval within that between the two caps.
 ///
-/// \param line  from the plain difference of places
+/// \param line  computed from the plain difference of points
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void all_crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray,
                                      IntersectionHints hints, FrustumLine<Real> line,
@@ -78,7 +78,7 @@ void crossings(const FrustumSolid<Real>& f, const Ray<Real>& ray, const Intersec
     all_crossings(f, ray, hints, plain, interval, report);
 }
 
-/// The crossing's point, put back onto its face.
+/// The point of a crossing, projected onto its face.
 template <class Real>
 SurfacePoint<Real> surface_point(const FrustumSolid<Real>& f, const Ray<Real>& ray, Real t,
                                  std::uint32_t face) {
@@ -93,8 +93,8 @@ SurfacePoint<Real> surface_point(const FrustumSolid<Real>& f, const Ray<Real>& r
     }
     const FrustumLine<Real> line = frustum_line(f, ray, start_from(ray, f.small_end));
     const Real axial = line.start_axial + t * line.dir_axial;
-    // From far away roundings of the start's size are left along the axis. Once more, lest they
-    // turn the radius out of its plane.
+    // If the start is far away, its rounding errors leave a part along the axis. It is subtracted
+    // once more, so that the radius stays perpendicular to the axis.
     Vec3<Real> radial = line.start_perp + t * line.dir_perp;
     if (f.tilted) radial -= dot(f.axis, radial) * f.axis;
     const Real distance = length(radial);

@@ -1,4 +1,4 @@
-// Lathes: true surfaces of revolution, met without a mesh in between.
+// Lathes: true surfaces of revolution, which rays meet without a mesh.
 #pragma once
 
 #include <limits>
@@ -12,13 +12,14 @@
 
 namespace lancer {
 
-/// One place where a lathe stands. Faces are the segments of its profile.
+/// One instance of a lathe. Its faces are the segments of its profile.
 template <class Real>
 struct LatheSolid {
-    const splines::Revolution<Real>* surface;  ///< its curve's exponent is from this solid's space
+    const splines::Revolution<Real>*
+        surface;  ///< its exponent scales the curve to this solid's space
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
@@ -39,8 +40,8 @@ void crossings(const LatheSolid<Real>& lathe, const Ray<Real>& ray, const Inters
     }
 }
 
-/// The crossing's point, put back onto the surface. Its parameters: u the angle, v along the
-/// profile.
+/// The point of a crossing, projected onto the surface. Its parameters: u is the angle, v goes
+/// along the profile.
 template <class Real>
 SurfacePoint<Real> surface_point(const LatheSolid<Real>& lathe, const Ray<Real>& ray, Real t,
                                  std::uint32_t face) {
@@ -62,7 +63,7 @@ SurfacePoint<Real> surface_point(const LatheSolid<Real>& lathe, const Ray<Real>&
     p.offset = splines::scaled(Vec3<Real>(on.x * cosine, on.y, on.x * sine), curve.exponent);
     p.error = ldexp(gamma<Real>(16), curve.exponent);
     p.normal = Vec3<Real>(tangent.y * cosine, -tangent.x, tangent.y * sine);
-    // On the axis, where all directions meet, and on a curve that is a point.
+    // Special normals: on the axis, where all angles meet, and on a segment that is a point.
     if (!(away > 0) && tangent.x != 0) p.normal = Vec3<Real>(0, -tangent.x, 0);
     if (p.normal == Vec3<Real>(0)) p.normal = Vec3<Real>(0, 1, 0);
     p.shading = p.normal;

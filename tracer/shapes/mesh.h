@@ -1,4 +1,4 @@
-// Meshes: flat arrays and a tree of their own, shared by all the places where the mesh stands.
+// Meshes: flat arrays and a tree, which all instances of the mesh share.
 #pragma once
 
 #include <bit>
@@ -19,15 +19,16 @@ namespace lancer {
 template <class Real>
 struct TriangleMesh {
     std::shared_ptr<const Mesh> source;  ///< faces, uvs and their indices
-    int exponent = 0;                    ///< its places times 2^exponent are `vertices`
+    int exponent = 0;                    ///< `vertices` are those of `source` times 2^exponent
     std::vector<Vec3<Real>> vertices;
-    std::vector<Vec3<Real>> normals;  ///< given or averaged, unit; empty when nobody interpolates
+    std::vector<Vec3<Real>> normals;  ///< given or averaged, unit; empty if no instance is smooth
     const std::vector<Mesh::Corners>* normal_faces = nullptr;  ///< into `normals`, one per face
-    /// Over the faces. Children that are leaves name one of `leaves`, in place of `bvh.order`.
+    /// The tree over the faces. A child that is a leaf is an index into `leaves`, and not into
+    /// `bvh.order`.
     Bvh<Real> bvh;
     std::vector<TriangleLeaf<Real>> leaves;
     std::vector<std::uint8_t>
-        inward;  ///< of a body: 1 for faces that look inside; empty: none does
+        inward;  ///< bodies only: 1 for faces whose normal points inside; empty if none does
 
     TriangleSheet<Real> triangle(std::uint32_t face) const {
         const Mesh::Corners& corner = source->faces[face];
@@ -35,25 +36,25 @@ struct TriangleMesh {
     }
 };
 
-/// One place where a mesh stands. Faces are numbered as in the mesh.
+/// One instance of a mesh. Its faces have the numbers of the mesh.
 template <class Real>
 struct MeshInstance {
     const TriangleMesh<Real>* mesh;
     bool smooth;
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = true};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
-/// Reports every crossing of the interval with the mesh, but for the face that the line starts on,
-/// which it meets nowhere else.
+/// Reports every crossing with the mesh on the interval. The face that the line starts on is left
+/// out: the line meets it nowhere else.
 template <class Real, class Last, class Report>
 void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray,
                const IntersectionHints& hints, const RayInterval<Real, Last>& interval,
                Report&& report) {
     const TriangleMesh<Real>& mesh = *instance.mesh;
-    std::optional<Shear<Real>> shear;  // a ray that reaches no leaf does without
+    std::optional<Shear<Real>> shear;  // computed at the first leaf
     traverse(mesh.bvh, ray, interval.first, interval.last,
              [&](std::uint32_t index, std::uint32_t count) {
                  if (!shear) {
@@ -78,7 +79,8 @@ void crossings(const MeshInstance<Real>& instance, const Ray<Real>& ray,
              });
 }
 
-/// The interpolated normal at weights u, v; the geometric one where the face has none.
+/// The interpolated normal at the barycentric coordinates u, v; the geometric normal if the face
+/// has no others.
 template <class Real>
 Vec3<Real> shading_normal(const MeshInstance<Real>& instance, std::uint32_t face, Real u, Real v,
                           const Vec3<Real>& geometric) {

@@ -9,7 +9,7 @@
 namespace lancer {
 namespace {
 
-/// Six times the volume inside, in units of the mesh's size: only its sign is used.
+/// Six times the enclosed volume, in units of the mesh's size. Only its sign is used.
 double signed_volume(const Mesh& mesh, const std::vector<std::uint8_t>& turned) {
     const Vec3d origin = mesh.vertices[mesh.faces.front()[0]];
     double size = 0;
@@ -28,7 +28,7 @@ double signed_volume(const Mesh& mesh, const std::vector<std::uint8_t>& turned) 
 struct Edge {
     std::uint32_t low, high;  ///< its vertices
     std::uint32_t face;
-    bool upward;  ///< the face runs from low to high
+    bool upward;  ///< the face goes from low to high
 };
 
 }  // namespace
@@ -47,8 +47,8 @@ std::vector<std::uint8_t> inward_faces(const Mesh& mesh) {
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
         return std::tuple(a.low, a.high, a.face) < std::tuple(b.low, b.high, b.face);
     });
-    // Closed: edges stand in pairs. For each face its three neighbours, and whether they agree with
-    // it.
+    // The mesh is closed, so equal edges form pairs. Each face gets its three neighbours, and
+    // whether their winding agrees with its own.
     struct Neighbour {
         std::uint32_t face;
         bool agrees;

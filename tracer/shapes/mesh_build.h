@@ -1,4 +1,4 @@
-// Meshes: scaled, with normals where somebody interpolates, and with a tree.
+// Compiles meshes: scaled, with normals if an instance is smooth, and with a tree.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,19 @@
 namespace lancer {
 
 struct MeshNeeds {
-    bool normals = false;  ///< some instance interpolates
-    bool body = false;     ///< rays go through its inside: it matters which way its faces look
+    bool normals = false;  ///< some instance interpolates normals
+    bool body = false;     ///< rays go through its inside, so the orientation of its faces matters
 };
 
-/// Which faces of a closed mesh (model/bodies.h) look inside: one byte per face, 1 for those that
-/// do; empty when all look outside. Faces that turn against their neighbours are turned with them,
-/// and the whole so that its volume is positive: scripts and scanners care little about winding. Of
-/// a mesh with gaps whose author calls it a body, the volume is that of the cone from the origin.
+/// Which faces of a closed mesh (model/bodies.h) have normals that point inside: one byte per face,
+/// 1 for such faces; empty if there are none. Scripts and scanners often produce inconsistent
+/// winding. So faces are turned to agree with their neighbours, and then all together so that the
+/// enclosed volume is positive. For a mesh with gaps that its author declares a body, this is the
+/// volume of the cones over its faces from one of its vertices.
 std::vector<std::uint8_t> inward_faces(const Mesh& mesh);
 
-/// Averages of the adjoining faces' normals, weighted by area. A vertex without one (all its faces
-/// cancel) gets 0 and its faces then show their geometric normal.
+/// Per vertex the average of the normals of adjacent faces, weighted by area. A vertex whose faces
+/// cancel gets 0.
 template <class Real>
 std::vector<Vec3<Real>> averaged_normals(const TriangleMesh<Real>& mesh) {
     std::vector<Vec3<Real>> normals(mesh.vertices.size(), Vec3<Real>(0));
@@ -62,10 +63,10 @@ std::vector<Bounds<Real>> face_boxes(const TriangleMesh<Real>& mesh) {
     return boxes;
 }
 
-/// Puts the faces of each leaf of the tree side by side, in the order of the nodes.
+/// Fills mesh.leaves with the faces of the tree's leaves, in the order of the nodes.
 template <class Real>
 void gather_leaves(TriangleMesh<Real>& mesh, int threads) {
-    // Stretches of nodes, each of which knows where its leaves begin.
+    // Ranges of nodes for the threads; first[i] is the number of the first leaf of range i.
     std::vector<BvhNode<Real>>& nodes = mesh.bvh.nodes;
     constexpr std::size_t stretch = 4096;
     std::vector<std::uint32_t> first;

@@ -1,5 +1,5 @@
-// Patches of which a tolerance is asked: triangles that stand in for the surface, made when the
-// first ray comes near it. Others: tracer/shapes/bicubic.h.
+// Patches with a tolerance: triangles replace the surface. They are made when the first ray comes
+// near it. For patches without a tolerance see tracer/shapes/bicubic.h.
 #pragma once
 
 #include <atomic>
@@ -20,14 +20,14 @@
 
 namespace lancer {
 
-/// A patch or net of the scene with its tolerance. What no ray comes near is never tessellated; the
-/// result does not depend on who asks first.
+/// A patch or net of the scene with its tolerance. It is tessellated when the first ray comes near
+/// it. The result does not depend on which ray that is.
 template <class Real>
 class PatchSurface {
   public:
     /// \param tolerance  in the patch's own space; see splines::tessellate()
-    /// \param borders    outlives this; may be null
-    /// \param exponent   its triangles are the patch's own times 2^exponent
+    /// \param borders    must outlive this object; may be null
+    /// \param exponent   its triangles are those of the patch times 2^exponent
     PatchSurface(Patch patch, std::optional<double> tolerance,
                  const splines::BorderTolerances* borders, int exponent, bool smooth);
 
@@ -36,10 +36,10 @@ class PatchSurface {
         const TriangleMesh<Real>* ready = ready_.load(std::memory_order_acquire);
         return ready != nullptr ? *ready : build();
     }
-    /// The mesh if anybody asked for it yet.
+    /// The mesh if it exists already, else null.
     const TriangleMesh<Real>* built() const { return ready_.load(std::memory_order_acquire); }
 
-    /// Of the control points, which hold the surface and its triangles.
+    /// The bounds of the control points, and so of the surface and its triangles.
     const Bounds<Real>& bounds() const { return bounds_; }
 
   private:
@@ -83,7 +83,7 @@ const TriangleMesh<Real>& PatchSurface<Real>::build() const {
     return *mesh_;
 }
 
-/// One place where a patch stands. Faces are those of its mesh.
+/// One instance of a patch. Its faces are those of its mesh.
 template <class Real>
 struct PatchSolid {
     const PatchSurface<Real>* surface;
@@ -92,7 +92,7 @@ struct PatchSolid {
     MeshInstance<Real> instance() const { return {&surface->mesh(), smooth}; }
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = true};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
@@ -102,7 +102,8 @@ void crossings(const PatchSolid<Real>& patch, const Ray<Real>& ray, const Inters
     crossings(patch.instance(), ray, hints, interval, report);
 }
 
-/// The point at weights u, v of a face, with the surface's parameters (linear within the triangle).
+/// The point at the barycentric coordinates u, v of a face, with the surface's parameters, which
+/// are linear within the triangle.
 template <class Real>
 SurfacePoint<Real> patch_point(const PatchSolid<Real>& patch, std::uint32_t face, Real u, Real v) {
     const MeshInstance<Real> instance = patch.instance();

@@ -1,4 +1,4 @@
-// The plane: boundary of a half space, infinite, so it is in no tree.
+// The plane, the boundary of a half space. It is infinite, so it is not in the tree.
 #pragma once
 
 #include <limits>
@@ -17,24 +17,24 @@ struct HalfSpace {
     Real transform_error =
         0;  ///< bound on how far rounding moved it when a transform put it into the world
     Real filter_error =
-        transform_error + filter_error_of(point);  ///< of `point` in a plain difference
+        transform_error + filter_error_of(point);  ///< error of `point` in a plain difference
     Real offset = dot(normal, point);
 
     static constexpr SolidTraits traits{.convex = true, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
-/// Where a line crosses a plane, by the plain difference of places: crossing() finds it between
-/// `low` and `high`, with eight times its error bound on either side. A filter: see is_settled() of
-/// the ball. Numbers that are not tell nothing.
+/// An estimate of the crossing of a line with a plane, from plain differences of points. The result
+/// of crossing(), with eight times its error bound on either side, lies between `low` and `high`. A
+/// filter: see is_settled() of the ball. NaNs decide nothing.
 template <class Real>
 struct PlaneGuess {
     Real slope;  ///< dot(normal, dir)
     Real low, high;
 
-    /// The heights by plain and by exact numbers lie less than `noise` apart, and by crossing()
-    /// |slope| times the bound is at most that and 7 u |t|.
+    /// The heights by plain and by exact differences differ by less than `noise`. In crossing(),
+    /// |slope| times the error bound is at most `noise` plus 7 u |t|.
     PlaneGuess(const HalfSpace<Real>& half, const Ray<Real>& ray)
         : slope(dot(half.normal, ray.dir)) {
         using std::abs;
@@ -47,7 +47,8 @@ struct PlaneGuess {
     }
 };
 
-/// The one crossing, where it may matter.
+/// Reports the crossing, of which there is only one, if it may lie on the interval. `slope` is
+/// dot(normal, dir) and not 0.
 template <class Real, class Last, class Report>
 void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
               const RayInterval<Real, Last>& interval, Report& report) {
@@ -57,8 +58,8 @@ void crossing(const HalfSpace<Real>& half, const Ray<Real>& ray, Real slope,
     const Real inv = 1 / slope;
     const Real t = -height * inv;
     if (interval.ends_before(t)) return;
-    // Both dot products are rounded at the size of their terms, which for a normal along an axis is
-    // their own.
+    // Both dot products are rounded relative to their terms. For a normal along an axis there is
+    // only one term.
     const Vec3<Real> steep = absolute(half.normal);
     const Real error =
         (ray.origin_error + half.transform_error + gamma<Real>(4) * dot(steep, absolute(rel)) +
@@ -78,12 +79,12 @@ template <class Real, class Last, class Report>
     if (slope != 0) crossing(half, ray, slope, interval, report);
 }
 
-/// The crossing's point, put back onto the plane.
+/// The point of a crossing, projected onto the plane.
 template <class Real>
 SurfacePoint<Real> surface_point(const HalfSpace<Real>& half, const Ray<Real>& ray, Real t,
                                  std::uint32_t /*face*/) {
-    // Along an axis that lies in the plane the anchor may slide to where the ray starts: the offset
-    // is then small and keeps its digits however far all this is from the origin.
+    // Along a coordinate axis that is parallel to the plane, the anchor moves to the ray's start.
+    // The offset is then small, and keeps its digits even far from the origin.
     const Vec3<Real> rel = start_from(ray, half.point);
     Vec3<Real> anchor = half.point;
     Vec3<Real> offset = rel + t * ray.dir;

@@ -1,4 +1,4 @@
-// Prisms: a true outline drawn up along y, met without a mesh in between.
+// Prisms: a curved outline extruded along y, which rays meet without a mesh.
 #pragma once
 
 #include <limits>
@@ -11,14 +11,15 @@
 
 namespace lancer {
 
-/// One place where a prism stands. Faces are the segments of its outline, then bottom and top.
+/// One instance of a prism. Its faces are the segments of its outline, then bottom and top.
 template <class Real>
 struct PrismSolid {
-    const splines::Extrusion<Real>* surface;  ///< its curve's exponent is from this solid's space
+    const splines::Extrusion<Real>*
+        surface;   ///< its exponent scales the curve to this solid's space
     int unit = 0;  ///< this solid's space is the shape's own times 2^unit
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
@@ -35,8 +36,8 @@ void crossings(const PrismSolid<Real>& prism, const Ray<Real>& ray, const Inters
     }
 }
 
-/// The crossing's point, put back onto its face. Sides: u along the outline, v from bottom to top;
-/// caps: (x, z).
+/// The point of a crossing, projected onto its face. Its parameters on sides: u goes along the
+/// outline, v from bottom to top; on caps: (x, z).
 template <class Real>
 SurfacePoint<Real> surface_point(const PrismSolid<Real>& prism, const Ray<Real>& ray, Real t,
                                  std::uint32_t face) {

@@ -15,28 +15,29 @@ struct BallSolid {
     Real transform_error =
         0;  ///< bound on how far rounding moved it when a transform put it into the world
     Real filter_error =
-        transform_error + filter_error_of(center);  ///< of `center` in a plain difference
+        transform_error + filter_error_of(center);  ///< error of `center` in a plain difference
 
     static constexpr SolidTraits traits{.convex = true, .face_by_face = false};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return radius; }
 };
 
-/// Whether plain differences of places tell all that the query wants to know. A filter as in
-/// Shewchuk, "Adaptive precision floating-point arithmetic", DCG 18 (1997), section 4: most lines
-/// that miss are told apart without exact differences, a division or a root.
+/// The filter: whether plain differences of points settle the query. A filter as in Shewchuk,
+/// "Adaptive precision floating-point arithmetic", DCG 18 (1997), section 4. It settles most lines
+/// that miss, without exact differences, divisions or roots.
 ///
-/// The line passes the ball for certain where the textbook discriminant (f·d)^2 - d^2 (f^2 - r^2),
-/// f from the centre to the start, is negative by more than all roundings of it and of what follows
-/// here can make up for: 26 u of the terms' sizes. Where f is a plain difference that is off by e,
-/// 4 d^2 |f| e more, hence 64 u of the squared sizes of both places.
+/// The textbook discriminant is (f·d)^2 - d^2 (f^2 - r^2), with f from the centre to the start. The
+/// line certainly misses the ball if the discriminant is negative by more than its own rounding
+/// error plus that of both_crossings(): 26 u of the sizes of the terms. If f is a plain difference
+/// with the error e, 4 d^2 |f| e must be added, which makes 64 u of the squared sizes of both
+/// points.
 ///
-/// Where it is 4096 times as large as that noise, the textbook's roots are off by less than half
-/// the chord / 4096, and both_crossings() bounds its own by less than 1/2000 of that: the place is
-/// off by 25 u T, T the root of the terms, while half the chord is more than 620 sqrt(u) T / |d|.
-/// So the chord is clear of the interval when its middle lies before the first parameter, or beyond
-/// the last, by more than 65/64 of half of it, which takes no root to tell. The way in is behind as
-/// soon as the middle is: enough where nothing is asked about the way out.
+/// If the discriminant exceeds 4096 times this noise, the errors of the textbook roots are below
+/// half the chord / 4096, and the bounds of both_crossings() are below half the chord / 2000: with
+/// T the root of the terms, `place` there is at most 25 u T, while half the chord is more than 620
+/// sqrt(u) T / |d|. So the chord is clear of the interval if its middle lies before the first
+/// parameter, or beyond the last, by more than 65/64 of half the chord. This test needs no root. If
+/// the middle is behind, the entry is behind as well, which is enough if exits do not matter.
 template <class Real, class Last>
 bool is_settled(const BallSolid<Real>& ball, const Ray<Real>& ray, const IntersectionHints& hints,
                 const RayInterval<Real, Last>& interval) {
@@ -66,7 +67,8 @@ bool is_settled(const BallSolid<Real>& ball, const Ray<Real>& ray, const Interse
            (hints.asks_about(false) && at(middle + half));
 }
 
-/// The known root is 0, so the other is twice the middle (Vieta).
+/// The crossing of a line that starts on the ball. The known root is 0, so the other one is twice
+/// the middle (Vieta).
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void crossing_from_surface(const BallSolid<Real>& ball, const Ray<Real>& ray,
                                              const RayInterval<Real, Last>& interval,
@@ -76,7 +78,7 @@ template <class Real, class Last, class Report>
     const Vec3<Real> from_center = start_from(ray, ball.center);
     const Real t = -2 * dot(from_center, ray.dir) * ray.inv_squared;
     if (interval.ends_before(t)) return;
-    // Each term of the product is rounded 4 times, |d|^2 and the quotient another 4 times.
+    // Each term of the product is rounded 4 times, and |d|^2 and the quotient another 4 times.
     const Real size = dot(absolute(from_center), absolute(ray.dir));
     const Real error = gamma<Real>(8) * size * ray.inv_squared +
                        2 * (ray.origin_error + ball.transform_error) * sqrt(ray.inv_squared) +
@@ -85,13 +87,13 @@ template <class Real, class Last, class Report>
     if (interval.holds(c)) report(c);
 }
 
-/// |f|^2 - r^2 with its relative precision near the surface: it takes the largest component of f
-/// together with r and with its low part, so that over a giant ball the height of the start is a
-/// difference without error.
+/// |f|^2 - r^2, the power of the start, with a small relative error near the surface. It combines
+/// the largest component of f, including its low part, with r. So the height of the start over a
+/// giant ball is a difference without error.
 template <class Real>
 struct Power {
     Real value;
-    Real terms;  ///< sum of the sizes of what is summed: 5 roundings of it bound the error
+    Real terms;  ///< sum of the sizes of the terms; 5 u of it bound the error
 
     Power(const BallSolid<Real>& ball, const Ray<Real>& ray, const Vec3<Real>& from_center) {
         using std::abs;
@@ -114,10 +116,11 @@ struct Power {
 
 /// Reports the two crossings of the line with the sphere.
 ///
-/// The discriminant is r^2 - |l|^2 with l the perpendicular from the centre to the line, not b^2 -
-/// ac: its error grows with the distance f like u f, not u f^2. Source: Haines, Guenther,
-/// Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019),
-/// ch. 7. The second projection removes what the first left along the ray.
+/// The discriminant is r^2 - |l|^2, with the perpendicular l from the centre to the line, instead
+/// of b^2 - ac. Its error grows with the distance f like u f, not like u f^2. Source: Haines,
+/// Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
+/// Gems (2019), ch. 7. The second projection removes the part along the ray that the first one
+/// left.
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void both_crossings(const BallSolid<Real>& ball, const Ray<Real>& ray,
                                       IntersectionHints hints,
@@ -131,7 +134,7 @@ template <class Real, class Last, class Report>
     const Real rest = -dot(l, ray.dir) * ray.inv_squared;
     l += rest * ray.dir;
     middle += rest;
-    // The square of half the chord, in units of t. 5 roundings of r^2 at most.
+    // The square of half the chord, in units of t. At most 5 roundings of r^2.
     Real square = (ball.radius * ball.radius - dot(l, l)) * ray.inv_squared;
     if (square < 0) {
         if (!hints.inside) return;
@@ -140,7 +143,7 @@ template <class Real, class Last, class Report>
     const Real half = sqrt(square);
     Real t_in = middle - half;
     Real t_out = middle + half;
-    // Where the root nearer to 0 would lose to cancellation, it is c / q.
+    // Where the root nearer to 0 would suffer from cancellation, it is computed as c / q.
     const Real q = middle + copysign(half, middle);
     const bool divides = 2 * half >= abs(middle) && q != 0;
     Real c_terms = 0;
@@ -151,9 +154,9 @@ template <class Real, class Last, class Report>
         if (t_in > t_out) t_in = t_out = middle;
     }
 
-    // f and l are rounded at the size of f, which moves the line by `place` from the centre or
-    // towards it, and r^2 - |l|^2 by w = 2 place r + place^2; see chord_error(). c / q inherits the
-    // relative error of q, and that of c.
+    // f and l are rounded relative to the size of f. This moves the line by at most `place` towards
+    // the centre or away from it, and changes r^2 - |l|^2 by at most w = 2 place r + place^2; see
+    // chord_error(). c / q has the relative errors of q and of c.
     const auto bound = [&](Real t, bool divided) {
         const Vec3<Real> size = absolute(f);
         const Real f_sum = size.x + size.y + size.z;
@@ -185,8 +188,9 @@ void crossings(const BallSolid<Real>& ball, const Ray<Real>& ray, const Intersec
         both_crossings(ball, ray, hints, interval, report);
 }
 
-/// The crossing's point, put back onto the sphere; or, next to a giant one, taken from the ray,
-/// when that is nearer to it than a radius can be rounded.
+/// The point of a crossing, projected onto the sphere. If the ray starts very near to a giant
+/// sphere, the point is taken from the ray instead, provided that its error is smaller than that of
+/// the projected point.
 template <class Real>
 SurfacePoint<Real> surface_point(const BallSolid<Real>& ball, const Ray<Real>& ray, Real t,
                                  std::uint32_t /*face*/) {

@@ -1,4 +1,4 @@
-// The torus: a tube bent into a ring round the y axis.
+// The torus: a tube around a circle about the y axis.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace lancer {
 
-/// Where a ray goes on from the torus outwards: whether it never meets it again, which is most
-/// often so. False where that is not clear.
+/// Whether a ray that starts on the torus and goes outwards certainly never meets it again. This is
+/// the usual case. False if it is not certain.
 ///
-/// What it is known to start on lies where f is all rounding. When f climbs from there so steeply
-/// that what bends it takes nothing of that back before it is clear of all rounding, that one
-/// crossing is the only one next to the start, and the search goes on beyond.
+/// At the start, f is below its rounding error. If f rises so steeply that its curvature cannot
+/// bring it back before it exceeds the rounding error, the start is the only crossing near it, and
+/// the search continues from there.
 template <class Real>
 bool leaves_torus_for_good(const TorusLine<Real>& line, const TorusSpans<Real>& spans) {
     const Real start = line.parameter_of(Real(0));
@@ -33,8 +33,9 @@ bool leaves_torus_for_good(const TorusLine<Real>& line, const TorusSpans<Real>& 
     return true;
 }
 
-/// Reports crossings one by one, and no more than are asked about: of a line that nothing is known
-/// about. Entries and exits alternate, for all lines begin and end outside.
+/// Reports crossings one by one, and computes no more than the query needs. For a line that does
+/// not start on the torus and is not known to be inside. Entries and exits alternate, because all
+/// lines begin and end outside.
 template <class Real, class Last, class Report>
 void crossings_in_turn(const TorusLine<Real>& line, const TorusSpans<Real>& spans,
                        const IntersectionHints& hints, const RayInterval<Real, Last>& interval,
@@ -42,7 +43,7 @@ void crossings_in_turn(const TorusLine<Real>& line, const TorusSpans<Real>& span
     for (int i = 0; i < spans.count; ++i) {
         const auto [from, to] = spans.at[static_cast<std::size_t>(i)];
         if (interval.ends_before(line.ray_parameter(from))) return;
-        // Behind the start by more than any bound.
+        // The span lies behind the start, farther than any error bound.
         if (line.ray_parameter(to + (to - from)) < interval.first) continue;
         Real at = from;
         bool entering = true;
@@ -53,7 +54,7 @@ void crossings_in_turn(const TorusLine<Real>& line, const TorusSpans<Real>& span
             entering = !entering;
             if (!hints.asks_about(c.entering)) continue;
             c.error = line.bound(at);
-            // Only next to the start is it asked how deep the line goes in.
+            // The chord is needed only near the start.
             if (c.entering && !(c.t > interval.first + 4 * c.error)) {
                 Real out = at;
                 if (line.next_root(out, to, false, true)) c.chord = line.ray_parameter(out) - c.t;
@@ -63,7 +64,7 @@ void crossings_in_turn(const TorusLine<Real>& line, const TorusSpans<Real>& span
     }
 }
 
-/// The same for a line that starts on the torus, or is known to be inside.
+/// Reports the crossings of a line that starts on the torus or is known to be inside.
 template <class Real, class Last, class Report>
 [[gnu::noinline]] void crossings_from_torus(const TorusLine<Real>& line,
                                             const TorusSpans<Real>& spans,
@@ -82,7 +83,8 @@ template <class Real, class Last, class Report>
                line.next_root(at, to, (found - first) % 2 == 0, found != first))
             roots[found++] = at;
     }
-    // Of a line that starts on the surface, the crossing there: the nearest to 0 of its kind.
+    // The crossing at the start of a line that starts on the surface: of its kind (entry or exit),
+    // the one nearest to 0.
     std::size_t start = found;
     if (hints.start_face != none) {
         for (std::size_t i = 0; i < found; ++i) {
@@ -103,7 +105,8 @@ template <class Real, class Last, class Report>
         if (c.entering && i + 1 < found) c.chord = line.ray_parameter(roots[i + 1]) - c.t;
         if (interval.holds(c)) report(c);
     }
-    // It is known to be inside, and so shallow that rounding denies it: it goes out where it is.
+    // The line is known to be inside, but so shallow that rounding hides its exit: the exit is at
+    // the start.
     if (hints.inside && !leaves && !interval.ends_before(Real(0))) {
         const Crossing<Real> out{0, line.bound(line.parameter_of(Real(0))), 0, false};
         if (interval.holds(out)) report(out);
@@ -124,9 +127,9 @@ void crossings(const TorusSolid<Real>& torus, const Ray<Real>& ray, const Inters
         crossings_from_torus(line, spans, hints, interval, report);
 }
 
-/// The crossing's point, put back onto the surface. The half of it that faces away from the axis is
-/// that of its convex hull. Its parameters: u the angle about the axis, v
-/// that about the tube, from the side that faces the axis.
+/// The point of a crossing, projected onto the surface. Points on the half that faces away from the
+/// axis lie on the convex hull. The parameters: u is the angle about the axis, v the angle about
+/// the tube, from the side that faces the axis.
 template <class Real>
 SurfacePoint<Real> surface_point(const TorusSolid<Real>& torus, const Ray<Real>& ray, Real t,
                                  std::uint32_t /*face*/) {
@@ -144,8 +147,9 @@ SurfacePoint<Real> surface_point(const TorusSolid<Real>& torus, const Ray<Real>&
     p.anchor = Vec3<Real>(torus.ring * cosine, 0, torus.ring * sine) * torus.grow;
     const Vec3<Real> outward(out * cosine, up, out * sine);
     p.offset = outward * (torus.tube * torus.grow);
-    // Of a length that no power of two makes 1: unit() then does the same to it in the world and in
-    // a space of the torus's own, where it would leave alone what is unit in only one of them.
+    // A length of 1.5 times a power of two is never 1. So unit() normalizes the vector both in the
+    // world and in the torus's own space. It leaves unit vectors unchanged, and a vector may have
+    // unit length in only one of the two.
     p.normal = outward * Real(1.5);
     p.error = gamma<Real>(8) * (torus.reach() * torus.grow);
     p.shading = p.normal;

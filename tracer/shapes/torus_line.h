@@ -1,4 +1,4 @@
-// A line and a torus: where they cross.
+// The crossings of a line with a torus.
 #pragma once
 
 #include <algorithm>
@@ -9,22 +9,23 @@
 
 namespace lancer {
 
-/// All points whose distance from the ring, a circle about the origin across the y axis, is at most
-/// that of the tube. Measures are those of the solid's own space times `shrink`.
+/// All points whose distance from the ring is at most the radius of the tube. The ring is a circle
+/// about the origin, perpendicular to the y axis. Lengths are those of the solid's own space times
+/// `shrink`.
 template <class Real>
 struct TorusSolid {
-    Real ring;        ///< the circle's radius, near 1
-    Real tube;        ///< > 0, <= ring
+    Real ring;        ///< radius of the circle, near 1
+    Real tube;        ///< radius of the tube, > 0, <= ring
     Real shrink = 1;  ///< a power of two
     Real grow = 1;    ///< 1 / shrink
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = false};
-    /// The smallest measure in its own space.
+    /// The measure in its own space that must not be too small.
     Real size() const { return tube * grow; }
     Real reach() const { return ring + tube; }
 };
 
-/// Parameters of a line between which it may be inside.
+/// Intervals of a line's parameter on which it may be inside.
 template <class Real>
 struct TorusSpans {
     std::array<std::array<Real, 2>, 2> at{};
@@ -33,28 +34,29 @@ struct TorusSpans {
     void add(Real from, Real to) { at[static_cast<std::size_t>(count++)] = {from, to}; }
 };
 
-/// The surface along a line, as a function of the line's parameter t whose sign tells the inside:
-/// with the ring's radius R and the tube's r,
-///     f = k^2 + 4 R^2 (y^2 - r^2),    k = |p|^2 - R^2 - r^2,
-/// which is what the textbook's quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) comes to when its
-/// terms of the size R^4 are taken out by hand (Hanrahan, "A survey of ray-surface intersection
-/// algorithms", in: Glassner (ed.), An Introduction to Ray Tracing (1989), has that). What is left
-/// vanishes with the tube: all terms are at most of the size (R r)^2 near the surface, so a tube of
-/// a billionth of its ring keeps its digits. f is never expanded: k and y are, which are of the
-/// second degree and the first.
+/// The implicit function f of the torus at one parameter t of a line. f is negative inside. With
+/// the ring's radius R and the tube's radius r,
+///     f = k^2 + 4 R^2 (y^2 - r^2),    k = |p|^2 - R^2 - r^2.
+/// This is the textbook quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2), after its terms of the
+/// size R^4 have been cancelled by hand (Hanrahan, "A survey of ray-surface intersection
+/// algorithms", in: Glassner (ed.), An Introduction to Ray Tracing (1989), has the quartic). Near
+/// the surface the remaining terms are at most of the size (R r)^2, so even a tube of a billionth
+/// of its ring keeps its digits. f is never expanded to a polynomial in t; only k (degree 2) and y
+/// (degree 1) are.
 template <class Real>
 struct TorusPlace {
     Real k, y;
     Real climb;  ///< half of the derivative of k
     Real f, slope;
-    Real bend;  ///< half of the second derivative of f
+    Real bend;  ///< half of the second derivative of f in t
 };
 
-/// A line in the torus' scale, its start slid along itself to where it is nearest to the centre.
+/// A line in the scale of the torus. Its start slides along the line to the point nearest to the
+/// centre.
 template <class Real>
 class TorusLine {
   public:
-    /// Of a span no more are looked for: four, and what rounding makes of them.
+    /// The largest number of roots in a span: four, or more because of rounding.
     static constexpr int most_roots = 8;
 
     TorusLine(const TorusSolid<Real>& torus, const Ray<Real>& ray) : torus_(torus) {
@@ -64,7 +66,7 @@ class TorusLine {
         const Real inverse = 1 / dd_;
         slide_ = -dot(start, dir_) * inverse;
         near_ = start + slide_ * dir_;
-        // Once more: from far away roundings of the start's size are left along the line.
+        // A second time: if the start is far away, its rounding errors leave a part along the line.
         const Real rest = -dot(near_, dir_) * inverse;
         near_ += rest * dir_;
         slide_ += rest;
@@ -76,16 +78,16 @@ class TorusLine {
         k0_ = ll_ - torus.ring * torus.ring - torus.tube * torus.tube;
         const Real place =
             ray.origin_error * torus.shrink + gamma<Real>(6) * ((size.x + size.y + size.z) + reach);
-        // What k is off by: the line's displacement, and some roundings of its terms.
+        // The error of k: from the line's displacement, and from some roundings of the terms.
         k_error_ = place * (2 * reach + place) + gamma<Real>(32) * (reach * reach);
         y_error_ = place + gamma<Real>(8) * reach;
         rounding_ = gamma<Real>(4) * (weight_ * (torus.tube * torus.tube) +
                                       4 * (torus.ring * torus.tube) * (reach * reach));
     }
 
-    /// The parameters between which the line may be inside: it is near the plane of the ring, and
-    /// between two balls about the centre. f is positive at their ends, beyond all doubt: k and y
-    /// are taken to where they leave the tube by more than they can be off.
+    /// The spans on which the line may be inside: there it is near the plane of the ring, and
+    /// between two balls about the centre. At their ends f is certainly positive, because there k
+    /// and y are outside of the tube's range by more than their errors.
     TorusSpans<Real> spans() const {
         using std::abs;
         using std::sqrt;
@@ -98,7 +100,7 @@ class TorusLine {
         Real high = sqrt(outer * inverse);
         Real low = -high;
         const Real half = torus_.tube + 8 * y_error_;
-        // Where the line climbs by less than a rounding of the tube it is as good as level.
+        // A line that climbs by less than the rounding error of the tube counts as level.
         const Real climb = dir_.y * high;
         if (abs(climb) > y_error_) {
             const Real upright = 1 / dir_.y;
@@ -121,31 +123,32 @@ class TorusLine {
         return found;
     }
 
-    /// The parameter of the ray, and back.
+    /// Converts between the line's parameter and the ray's.
     Real ray_parameter(Real at) const { return at + slide_; }
     Real parameter_of(Real t) const { return t - slide_; }
 
-    /// Moves `at` to the next root of f before `to`. False: there is none.
+    /// Moves `at` to the next root of f before `to`. Returns false if there is none.
     ///
-    /// Each step ends where a parabola that lies below |f| does, so it never passes a root, and
-    /// near one it is as good as Newton's (Kalra, Barr, "Guaranteed ray intersections with implicit
-    /// surfaces", SIGGRAPH 1989, do so with a line; f is of the fourth degree, so that its Taylor
-    /// series ends, and the parabola that is below it on a stretch follows from four numbers).
+    /// Each step ends at the zero of a parabola that is a lower bound of |f|. So it never passes a
+    /// root, and near a root it converges like Newton's method. Kalra, Barr, "Guaranteed ray
+    /// intersections with implicit surfaces", SIGGRAPH 1989, use a line in place of the parabola.
+    /// Here f has degree 4, so its Taylor series is finite, and the parabola on an interval follows
+    /// from four numbers.
     ///
     /// \param outside  whether f is positive before the root
-    /// \param on_root  `at` is a root of the other kind, or the start on the surface
+    /// \param on_root  whether `at` is a root of the other kind, or the start on the surface
     bool next_root(Real& at, Real to, bool outside, bool on_root) const {
         for (;; on_root = false) {
             const TorusPlace<Real> p = place(at);
             const Real f = outside ? p.f : -p.f;
-            // Where a root is known f is rounding: with that much of it the next step is one.
+            // At a known root f is only rounding error; that bound replaces it for the first step.
             if (!on_root && !(f > 0)) return true;
             const Real room = to - at;
             const Step step = step_from(p, on_root ? rounding_ : f, outside, room);
             if (!(step.length < room)) {
                 if (outside || !(room > 0)) return false;
                 const Real before = at;
-                at += room / 2;  // it leaves before the end, whatever rounding made of that
+                at += room / 2;  // the exit lies before the end, even if rounding hides it
                 if (at == before) return true;
                 continue;
             }
@@ -155,8 +158,8 @@ class TorusLine {
         }
     }
 
-    /// Whether f, which is all rounding at `at`, is clear of it after the next root, and has no
-    /// other next to it.
+    /// Whether f, which is below its rounding error at `at`, rises above it without another root
+    /// nearby.
     bool climbs_clear(Real at, Real to) const {
         using std::abs;
         const TorusPlace<Real> p = place(at);
@@ -165,8 +168,8 @@ class TorusLine {
                p.slope * p.slope > 16 * noise * most_bend();
     }
 
-    /// Bounds the error of a root: on both sides of it, that far away, the sign of f is certain.
-    /// Between such places the true surface is crossed; where the line but touches it, both of its
+    /// Bounds the error of a root: at this distance on both sides of it, the sign of f is certain.
+    /// Between these points the line crosses the true surface. If it only touches the surface, both
     /// roots lie there, or none.
     Real bound(Real at) const {
         using std::abs;
@@ -186,20 +189,22 @@ class TorusLine {
   private:
     struct Step {
         Real length;
-        Real rest = 0;         ///< how far |f| is from 0 there at most
-        bool arrives = false;  ///< the parabola ends there
+        Real rest = 0;         ///< bound on |f| at the end of the step
+        bool arrives = false;  ///< the step ends at the zero of the parabola
     };
 
-    /// How far from a place |f| has no root.
+    /// A step on which f has no root.
     ///
     ///     f(t + h) = f + s h + b h^2 + d h^3 (4 a + d h)
     ///
-    /// with slope s, half of the second derivative b, half of that of k a, and the square of the
-    /// direction d. On a stretch of length H the last term is at least d h^2 times the least value
-    /// of h (4 a + d h), and at most d h^2 times the largest or 0.
+    /// Here s is the slope, b half of the second derivative, a half of the derivative of k
+    /// (`climb`), and d the square of the direction. On an interval of length H the last term is at
+    /// least d h^2 times the least value of h (4 a + d h), and at most d h^2 times its largest
+    /// value or 0.
     ///
-    /// H is short, which makes the parabola a good one: twice as far as where the tangent ends,
-    /// where a double root of a parabola is; from a root on, twice as far as the other root.
+    /// A short H makes the parabola a good bound. It is twice the length to the zero of the
+    /// tangent, where a parabola has a double root; or, from a root on, twice the length to the
+    /// other root.
     Step step_from(const TorusPlace<Real>& p, Real f, bool outside, Real room) const {
         using std::sqrt;
         const Real s = outside ? p.slope : -p.slope;
@@ -242,9 +247,9 @@ class TorusLine {
     Real climb_at(Real at) const { return dd_ * at + along_; }
     Real k_at(Real at) const { return (dd_ * at + 2 * along_) * at + k0_; }
     Real y_at(Real at) const { return near_.y + at * dir_.y; }
-    /// The second derivative of f is nowhere larger near the torus.
+    /// A bound on the second derivative of f near the torus.
     Real most_bend() const { return 32 * dd_ * (torus_.reach() * torus_.reach()); }
-    /// What f is off by for lines as near to this one as rounding may have moved it.
+    /// A bound on the error of f: on its change when rounding moves the line.
     Real noise_at(Real k, Real y) const {
         using std::abs;
         return k_error_ * (2 * abs(k) + k_error_) + weight_ * (y_error_ * (2 * abs(y) + y_error_)) +
@@ -261,15 +266,15 @@ class TorusLine {
     const TorusSolid<Real>& torus_;
     Vec3<Real> dir_;
     Vec3<Real> near_;  ///< the point nearest to the centre
-    Real slide_;       ///< the ray's parameter there
+    Real slide_;       ///< the ray's parameter at near_
     Real dd_;          ///< dir·dir
-    Real along_;       ///< near·dir: what rounding left of it
+    Real along_;       ///< near·dir, 0 but for rounding
     Real ll_;          ///< near·near
     Real weight_;      ///< 4 R^2
     Real k0_;          ///< k at the parameter 0
     Real k_error_;
     Real y_error_;
-    Real rounding_;  ///< of f at its roots, for this line as it is
+    Real rounding_;  ///< bound on the rounding error of f at its roots, for this very line
 };
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// Triangles: alone, and in meshes that share their vertices.
+// Triangles, both single ones and those of meshes.
 #pragma once
 
 #include <limits>
@@ -19,7 +19,7 @@ struct TriangleSheet {
     Real transform_error =
         0;  ///< bound on how far rounding moved it when a transform put it into the world
 
-    /// The largest size of a coordinate.
+    /// The largest absolute coordinate.
     Real reach() const {
         Vec3<Real> most = absolute(a);
         for (const Vec3<Real>& corner : {absolute(b), absolute(c)}) {
@@ -29,7 +29,7 @@ struct TriangleSheet {
     }
 
     static constexpr SolidTraits traits{.convex = false, .face_by_face = true};
-    /// The largest measure in its own space; infinite where none can be too small.
+    /// The measure in its own space that must not be too small; infinite if there is none.
     Real size() const { return std::numeric_limits<Real>::infinity(); }
 };
 
@@ -37,19 +37,19 @@ template <class Real>
 struct TriangleHit {
     Real t;
     Real error;
-    Real u;         ///< weight of b
-    Real v;         ///< weight of c
-    bool entering;  ///< against the normal (b - a) x (c - a)
+    Real u;         ///< barycentric coordinate of b
+    Real v;         ///< barycentric coordinate of c
+    bool entering;  ///< the ray goes against the normal (b - a) x (c - a)
 };
 
-/// A bound on the error of t, which is the sum of three:
-/// - the corners' places relative to the start, rounded once, and the shear's rounding of them act
-///   as if the corner were moved by E. That moves the plane at the hit by at most |n|.E, and t by
-///   this over |n.d|, where n.d = det / d_z, because the shear keeps volumes;
-/// - the two products of an edge value err by 2u of their sizes, which shifts the weights and thus
-/// t
-///   by their distance in z from the hit;
-/// - the weighted mean of the corners' z errs by a few u of its terms.
+/// A bound on the error of t, the sum of three errors:
+/// - The corners relative to the start are rounded once, and then by the shear. This acts as if
+/// each
+///   corner moved by E. The plane then moves at the hit by at most |n|.E, and t by this over |n.d|,
+///   where n.d = det / d_z because the shear keeps volumes.
+/// - The two products of an edge value have errors of 2u of their sizes. This changes the weights,
+///   and t by the corners' distances in z from the hit.
+/// - The weighted mean of the corners' z has an error of a few u of its terms.
 template <class Real>
 Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real transform_error,
                     const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c, Real det, Real t,
@@ -60,8 +60,8 @@ Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real transform_e
     for (const Vec3<Real>& corner : {absolute(b), absolute(c)}) {
         for (int i = 0; i < 3; ++i) size[i] = corner[i] > size[i] ? corner[i] : size[i];
     }
-    // Relative to the start: one rounding. Sheared: reciprocal, two products, difference, and the
-    // first two once more where they take part as the ray's direction.
+    // Relative to the start: one rounding. Sheared: a reciprocal, two products and a difference;
+    // the first two count twice, because they also act as errors of the ray's direction.
     const Real along = size[s.z];
     const Real moved = n[s.x] * (2 * size[s.x] + 6 * abs(s.sx) * along) +
                        n[s.y] * (2 * size[s.y] + 6 * abs(s.sy) * along) + n[s.z] * along;
@@ -74,7 +74,7 @@ Real triangle_error(const Ray<Real>& ray, const Shear<Real>& s, Real transform_e
            gamma<Real>(3) * abs(t);
 }
 
-/// A triangle after the shear: where its corners lie across the ray.
+/// A triangle after the shear: the coordinates of its corners across the ray.
 template <class Real>
 struct Sheared {
     Real ax, ay, bx, by, cx, cy;
@@ -88,7 +88,7 @@ struct Sheared {
           cx(c[s.x] - s.sx * c[s.z]),
           cy(c[s.y] - s.sy * c[s.z]) {}
 
-    /// Whether the ray passes by: the edge functions have both signs, by more than `noise`.
+    /// Whether the ray misses: the edge functions have both signs, by more than `noise`.
     bool passes_by(Real noise) const {
         const Real u = cx * by - cy * bx;
         const Real v = ax * cy - ay * cx;
@@ -101,13 +101,13 @@ struct Sheared {
     }
 };
 
-/// Watertight: of two triangles that share an edge, a line that passes between their other corners
-/// hits at least one, because both form the same products at the shared edge and zero counts as
-/// inside. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1) 2013; an
-/// edge value whose products are equal takes its exact sign from their rounding errors, where the
-/// paper goes to a wider type.
+/// The watertight intersection. If two triangles share an edge, a line that passes between their
+/// other corners hits at least one of them, because both compute the same products at the shared
+/// edge, and 0 counts as inside. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle
+/// Intersection", JCGT 2(1) 2013. If the products of an edge value are equal, its exact sign
+/// follows from their rounding errors; the paper uses a wider type there.
 ///
-/// Returns false for a hit outside of the interval, too.
+/// Also returns false for a hit outside of the interval.
 template <class Real, class Last>
 [[gnu::noinline]] bool intersect_exactly(const TriangleSheet<Real>& triangle, const Ray<Real>& ray,
                                          const Shear<Real>& s,
@@ -143,8 +143,8 @@ template <class Real, class Last>
     return t + hit.error >= interval.first;
 }
 
-/// A corner relative to the ray's start as filters take it: by the plain difference, or where the
-/// exact one costs as little, by that.
+/// A corner relative to the ray's start, for filters: the plain difference, or the exact one if it
+/// is as cheap.
 template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> about_from_start(const Ray<Real>& ray,
                                                           const Vec3<Real>& corner) {
@@ -152,7 +152,7 @@ template <class Real>
     return corner - ray.origin;
 }
 
-/// Whether plain numbers do not tell that the ray passes the triangle by: see edge_noise().
+/// The filter: false if the ray certainly misses the triangle. See edge_noise().
 template <class Real>
 [[gnu::always_inline]] inline bool may_meet(const TriangleSheet<Real>& triangle,
                                             const Ray<Real>& ray, const Shear<Real>& s) {
@@ -161,18 +161,18 @@ template <class Real>
                 .passes_by(s.noise);
 }
 
-/// The same as intersect_exactly(), with the filter before it.
+/// The same as intersect_exactly(), after the filter.
 template <class Real, class Last>
 bool intersect(const TriangleSheet<Real>& triangle, const Ray<Real>& ray, const Shear<Real>& s,
                const RayInterval<Real, Last>& interval, TriangleHit<Real>& hit) {
     return may_meet(triangle, ray, s) && intersect_exactly(triangle, ray, s, interval, hit);
 }
 
-/// A bound on the distance from the plane of edges `ab`, `ac` of a point computed as u ab + v ac:
-/// each component errs by a few u of its terms, the edges' own rounding included, and the distance
-/// takes of that the part along the normal, which for a face along the axes is nothing. The
-/// normal's rounding is added to it; where that is as large as the normal, as in a needle, it says
-/// nothing.
+/// A bound on the distance of a point, computed as u ab + v ac, from the plane of the edges `ab`
+/// and `ac`. Each component has an error of a few u of its terms, including the rounding of the
+/// edges. Only the part of this error along the normal counts; for a face along the axes it is 0.
+/// The rounding error of the normal is included. If it is as large as the normal, as for a needle,
+/// a bound without the normal is used.
 template <class Real>
 Real weighted_point_error(const Vec3<Real>& ab, const Vec3<Real>& ac, const Vec3<Real>& normal,
                           Real u, Real v) {
@@ -189,7 +189,8 @@ Real weighted_point_error(const Vec3<Real>& ab, const Vec3<Real>& ac, const Vec3
     return along < anyhow ? along : anyhow;
 }
 
-/// The point of the triangle with these weights: on it, however far away the ray started.
+/// The point of the triangle at these barycentric coordinates. It does not depend on the ray, so it
+/// is exact however far away the ray started.
 template <class Real>
 SurfacePoint<Real> triangle_point(const TriangleSheet<Real>& triangle, Real u, Real v) {
     const Vec3<Real> ab = triangle.b - triangle.a;

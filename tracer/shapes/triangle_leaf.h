@@ -7,8 +7,8 @@
 
 namespace lancer {
 
-/// Up to four faces of a mesh, so that one interval of memory has all that a ray asks of them and
-/// one instruction can test several.
+/// Up to four faces of a mesh, with all their data contiguous in memory, so that one instruction
+/// can test several.
 template <class Real>
 struct TriangleLeaf {
     static constexpr std::uint32_t size = 4;
@@ -32,7 +32,7 @@ struct TriangleLeaf {
     }
 };
 
-/// Coordinates along one axis, as about_from_start() takes them.
+/// about_from_start() for the coordinates of four corners along one axis.
 template <class Real>
 [[gnu::always_inline]] inline Four<Real> about_from_start(const Ray<Real>& ray, int axis,
                                                           const std::array<Real, 4>& places) {
@@ -44,7 +44,7 @@ template <class Real>
     return Four<Real>(places) - Four<Real>(ray.origin[axis]);
 }
 
-/// Bit i: whether the ray may meet triangle i, by the same numbers as for one.
+/// Bit i: whether the ray may meet triangle i. The numbers are the same as for a single triangle.
 template <class Real>
 [[gnu::always_inline]] inline unsigned may_meet(const TriangleLeaf<Real>& leaf,
                                                 const Ray<Real>& ray, const Shear<Real>& s) {
