@@ -1,8 +1,8 @@
-// Polynomials over [0, 1] in Bernstein form: sum of c[i] B(n,i)(s). Their coefficients bound the
-// values and count the roots, and halving them is a handful of averages, so nothing here needs a
-// tolerance. Source: Farin, Curves and Surfaces for CAGD (5th ed., 2002), chapters 4 and 5;
-// Farouki, Rajan, "On the numerical condition of polynomials in Bernstein form", CAGD 4 (1987): the
-// roots of this form move least when its coefficients are rounded.
+// Polynomials over [0, 1] in Bernstein form: the sum of c[i] B(n,i)(s). The coefficients bound the
+// values and the number of roots, and a polynomial is halved by a few averages. So no tolerance is
+// needed. Source: Farin, Curves and Surfaces for CAGD (5th ed., 2002), chapters 4 and 5. In this
+// form roots move least when the coefficients are rounded: Farouki, Rajan, "On the numerical
+// condition of polynomials in Bernstein form", CAGD 4 (1987).
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ constexpr std::pair<T, T> evaluate(std::array<T, Count> c, Real s) {
     return {c[0] * r + c[1] * s, (c[1] - c[0]) * static_cast<Real>(Count - 1)};
 }
 
-/// The same polynomial over [0, 1/2] and [1/2, 1], each in its own [0, 1]. The shared coefficient
-/// in the middle is the same number in both.
+/// The same polynomial over [0, 1/2] and [1/2, 1], each mapped to [0, 1]. Both have the same number
+/// as their common coefficient in the middle.
 template <class Real, std::size_t Count>
 constexpr std::pair<std::array<Real, Count>, std::array<Real, Count>> halves(
     const std::array<Real, Count>& c) {
@@ -45,8 +45,8 @@ constexpr std::pair<std::array<Real, Count>, std::array<Real, Count>> halves(
     return {left, right};
 }
 
-/// Changes of sign along the coefficients, 0 counting as positive: at least the number of roots in
-/// (0, 1), and of the same parity (Descartes' rule in Bernstein form).
+/// The number of sign changes along the coefficients, where 0 counts as positive. It is at least
+/// the number of roots in (0, 1), and has the same parity (Descartes' rule in Bernstein form).
 template <class Real, std::size_t Count>
 constexpr int sign_changes(const std::array<Real, Count>& c) {
     int changes = 0;

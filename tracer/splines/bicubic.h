@@ -23,8 +23,8 @@ struct PatchSample {
     Vec3<Real> dv;
 };
 
-/// A place in [0, 1] as two weights that add up to 1. Mirrored places have the same weights
-/// swapped, bit for bit, so that a curve has the same points whichever way it is read.
+/// A parameter in [0, 1] as two weights with the sum 1. The mirrored parameter has the same weights
+/// swapped, bit for bit. So a curve has the same points in both directions.
 template <class Real>
 struct Place {
     Real s;
@@ -37,7 +37,8 @@ struct Place {
           rest(static_cast<Real>(count - index) / static_cast<Real>(count)) {}
 };
 
-/// Point and derivative of a cubic. Reversing both the points and the place gives the same point.
+/// Point and derivative of a cubic. If both the points and the parameter are reversed, the point is
+/// the same.
 template <class Real>
 std::pair<Vec3<Real>, Vec3<Real>> cubic(const Vec3<Real>& p0, const Vec3<Real>& p1,
                                         const Vec3<Real>& p2, const Vec3<Real>& p3,
@@ -66,7 +67,7 @@ PatchSample<Real> sample(const Bicubic<Real>& p, const Place<Real>& u, const Pla
     return at;
 }
 
-/// The largest difference of neighbouring control points: what derivatives are measured against.
+/// The largest distance of neighbouring control points, as a scale for derivatives.
 template <class Real>
 Real net_step(const Bicubic<Real>& p) {
     Real largest = 0;
@@ -80,9 +81,9 @@ Real net_step(const Bicubic<Real>& p) {
     return sqrt(largest);
 }
 
-/// The unit normal du x dv. Where the two derivatives do not span a plane (a pole, coincident
-/// control points, a border that folds), the limit from within the patch; 0 if the whole patch has
-/// no normal.
+/// The unit normal of du x dv. Where the two derivatives do not span a plane (a pole, coincident
+/// control points, a border that folds), it is the limit from inside the patch. 0 if the whole
+/// patch has no normal.
 template <class Real>
 Vec3<Real> normal(const Bicubic<Real>& p, const Real u, const Real v) {
     using std::sqrt;
@@ -99,7 +100,7 @@ Vec3<Real> normal(const Bicubic<Real>& p, const Real u, const Real v) {
     for (Real move = rounding; n == Vec3<Real>(0) && move < Real(0.5); move *= 16) {
         const Real inner_u = u + move * (u < Real(0.5) ? 1 : -1);
         const Real inner_v = v + move * (v < Real(0.5) ? 1 : -1);
-        // Across the border first: along a pole's border, u keeps its meaning.
+        // First only across the border: at a pole, the parameter along the border is then kept.
         const PatchSample<Real> q = sample(p, Place<Real>(u), Place<Real>(v));
         const Real du = length_squared(q.du);
         const Real dv = length_squared(q.dv);
@@ -117,13 +118,13 @@ struct SecondDerivatives {
     double vv = 0;
 };
 
-/// Control vectors of a tensor-product polynomial, Rows x Columns of them.
+/// The Rows x Columns control vectors of a tensor-product polynomial.
 template <std::size_t Rows, std::size_t Columns>
 struct VectorNet {
     std::array<std::array<Vec3d, Columns>, Rows> c;
 };
 
-/// The Bernstein coefficients over [low, high] instead of [0, 1], by two runs of de Casteljau.
+/// Changes Bernstein coefficients over [0, 1] to those over [low, high], by de Casteljau twice.
 template <std::size_t Count>
 void restrict_to(std::array<Vec3d, Count>& c, double low, double high) {
     for (std::size_t n = Count - 1; n > 0; --n) {  // keep [0, high]
@@ -150,7 +151,7 @@ VectorNet<Rows, Columns> restricted(VectorNet<Rows, Columns> net, double u0, dou
     return net;
 }
 
-/// The largest control vector: bounds the polynomial (convex hull).
+/// The length of the largest control vector, which bounds the polynomial (convex hull).
 template <std::size_t Rows, std::size_t Columns>
 double largest(const VectorNet<Rows, Columns>& net) {
     double most = 0;
@@ -177,7 +178,7 @@ struct Curvature {
         }
     }
 
-    /// The same over a rectangle.
+    /// The same polynomials over a rectangle.
     Curvature over(double u0, double u1, double v0, double v1) const {
         Curvature part = *this;
         part.uu = restricted(uu, u0, u1, v0, v1);
@@ -192,12 +193,12 @@ struct Curvature {
     VectorNet<2, 4> vv;
 };
 
-/// Bound on the distance between a triangle and the surface over it, for a triangle whose corners
-/// lie on the surface and whose parameters fill a box of size du x dv: Filip, Magedson, Markot,
-/// "Surface algorithms using bounds on derivatives", CAGD 3 (1986), theorem for bivariate linear
-/// interpolation. It holds for any triangle in the box: the remainder is half the second
-/// derivative's mean over the corners, and the spread of the corners' parameters about their mean
-/// is at most (du/2)^2 and (dv/2)^2.
+/// A bound on the distance between a triangle and the surface over it. The corners lie on the
+/// surface, and their parameters lie in a box of size du x dv. Filip, Magedson, Markot, "Surface
+/// algorithms using bounds on derivatives", CAGD 3 (1986), theorem for bivariate linear
+/// interpolation. It holds for any triangle in the box: the remainder is half the mean of the
+/// second derivative over the corners, and the variances of the corners' parameters are at most
+/// (du/2)^2 and (dv/2)^2.
 inline double chord_error(const SecondDerivatives& d, double du, double dv) {
     return (du * du * d.uu + 2 * du * dv * d.uv + dv * dv * d.vv) / 8;
 }

@@ -1,5 +1,5 @@
-// A plane curve made ready for rays: in the tracer's number type, scaled to a size near 1, so that
-// products of four lengths neither overflow nor vanish whatever the units of the scene are.
+// A plane curve prepared for rays: in the tracer's number type, and scaled to a size near 1. So
+// products of four lengths neither overflow nor underflow, whatever the units of the scene are.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace lancer::splines {
 
-/// Chain of Bezier segments of degree 1 or 3; see PlaneCurve. Coordinates are those of the shape's
-/// own space times 2^-exponent.
+/// A chain of Bezier segments of degree 1 or 3; see PlaneCurve. Coordinates are those of the
+/// shape's own space times 2^-exponent.
 template <class Real>
 struct Curve {
     std::size_t degree = 1;
     std::vector<Vec2<Real>> points;
     int exponent = 0;
-    Vec2<Real> min;  ///< of the control points
+    Vec2<Real> min;  ///< bounds of the control points
     Vec2<Real> max;
 
     std::uint32_t segments() const {
@@ -29,7 +29,8 @@ struct Curve {
     const Vec2<Real>* segment(std::uint32_t index) const { return &points[index * degree]; }
 };
 
-/// `extent` (>= 0) is a length that must stay near 1 too, a prism's height.
+/// \param extent  >= 0, a length that must not exceed about 1 after scaling either: a prism's
+/// height
 template <class Real>
 Curve<Real> make_curve(const PlaneCurve& plane, double extent = 0) {
     double size = extent;
@@ -50,7 +51,7 @@ Curve<Real> make_curve(const PlaneCurve& plane, double extent = 0) {
     return curve;
 }
 
-/// Point and derivative of one segment.
+/// A point of one segment, and the derivative there.
 template <class Real>
 struct CurveSample {
     Vec2<Real> point;
@@ -68,9 +69,8 @@ CurveSample<Real> sample(const Curve<Real>& curve, std::uint32_t segment, Real s
     return {point, tangent};
 }
 
-/// The direction of the curve, never zero unless the segment is a single point: where the
-/// derivative vanishes (coincident control points, a cusp), that of its neighbourhood inside the
-/// segment.
+/// The direction of the curve. It is 0 only if the segment is a single point. Where the derivative
+/// vanishes (coincident control points, a cusp), it is that of a nearby point inside the segment.
 template <class Real>
 Vec2<Real> direction(const Curve<Real>& curve, std::uint32_t segment, Real s) {
     Vec2<Real> tangent = sample(curve, segment, s).tangent;
@@ -80,7 +80,7 @@ Vec2<Real> direction(const Curve<Real>& curve, std::uint32_t segment, Real s) {
     return tangent;
 }
 
-/// Twice the area that the curve encloses with the axis x = 0, positive when it runs
+/// Twice the area that the curve encloses with the axis x = 0, positive if it runs
 /// counter-clockwise: the integral of x dy - y dx over a closed curve, or over one that starts and
 /// ends on the axis.
 template <class Real>
@@ -93,7 +93,7 @@ Real signed_area(const Curve<Real>& curve) {
         const Vec2<Real>* p = curve.segment(i);
         if (curve.degree == 1) {
             area += wedge(p[0], p[1]);
-        } else {  // the integrals of products of Bernstein polynomials, gathered by pairs of points
+        } else {  // integrals of products of Bernstein polynomials, collected by pairs of points
             area += (6 * wedge(p[0], p[1]) + 3 * wedge(p[0], p[2]) + wedge(p[0], p[3]) +
                      3 * wedge(p[1], p[2]) + 3 * wedge(p[1], p[3]) + 6 * wedge(p[2], p[3])) /
                     10;
@@ -109,19 +109,20 @@ struct CurveCrossing {
     Real error;  ///< bound on the error of t
     std::uint32_t segment;
     Real s;         ///< parameter within the segment
-    bool entering;  ///< for bodies: by the order along the line, which alternates whatever rounding
-                    ///< does
+    bool entering;  ///< for bodies it follows from the order along the line, so that it alternates
+                    ///< in
+    ///< spite of rounding
 };
 
-/// What the caller knows about where the line starts.
+/// What is known about the start of a line.
 struct KnownStart {
     static constexpr std::uint32_t nowhere = 0xFFFFFFFF;
-    std::uint32_t face = nowhere;  ///< it starts on this face: that crossing, at 0, is not reported
-    bool inside = false;           ///< and goes on inside the body
+    std::uint32_t face = nowhere;  ///< it starts on this face; the crossing there is not reported
+    bool inside = false;           ///< it continues inside the body
 };
 
-/// Marks the crossing that the line starts from: the nearest to 0 of the right kind, if it is
-/// within its error bound. Returns its index, or the number of crossings.
+/// Finds the crossing at which the line starts: of the right kind (entry or exit), the one nearest
+/// to 0, if it is within 4 of its error bounds. Returns its index, or the number of crossings.
 template <class Crossings>
 std::size_t start_crossing(const Crossings& found, bool body, bool inside) {
     using std::abs;
@@ -134,7 +135,7 @@ std::size_t start_crossing(const Crossings& found, bool body, bool inside) {
     return best;
 }
 
-/// The curve parameter of the crossing nearest to t; `otherwise` when there is none.
+/// The curve parameter of the crossing nearest to t; `otherwise` if there is none.
 template <class Crossings, class Real>
 Real nearest(const Crossings& found, Real t, Real otherwise) {
     using std::abs;
@@ -155,7 +156,7 @@ Real reach(const Vec3<Real>& v) {
     return max_component(absolute(v));
 }
 
-/// A power-of-two scale for a direction of any length, so that its largest component is near 1.
+/// e such that 2^-e times the direction has a largest component near 1.
 template <class Real>
 int direction_exponent(const Vec3<Real>& dir) {
     return ilogb(reach(dir));

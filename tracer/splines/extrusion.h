@@ -1,9 +1,9 @@
-// A ray and the true surface of a plane outline (x, z) drawn up along y.
+// The crossings of a ray with the true surface of a plane outline (x, z) that is extruded along y.
 //
-// Seen from above the ray is a line, and its signed distance from the outline is a polynomial of
-// the outline's own degree. The crossings with the endless cylinder over the outline come in pairs;
-// the solid is what of these intervals lies between the two caps, so that cap and side meet without
-// a gap.
+// Seen from above, the ray is a line. The outline's signed distance from it is a polynomial of the
+// outline's own degree. The crossings with the infinite cylinder over the outline come in pairs.
+// The solid contains the parts of these intervals between the two caps, so caps and sides meet
+// without a gap.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -14,14 +14,14 @@
 
 namespace lancer::splines {
 
-/// An outline (x, z) made ready.
+/// An outline (x, z) prepared for rays.
 template <class Real>
 struct Extrusion {
     Curve<Real> curve;
-    Real bottom = 0;  ///< in the curve's scale
+    Real bottom = 0;  ///< heights in the curve's scale
     Real top = 1;
     bool capped = true;
-    Real outward = 1;  ///< sign that turns (z', -x') outwards
+    Real outward = 1;  ///< sign for which (z', -x') times it points outwards
 
     std::uint32_t bottom_face() const { return curve.segments(); }
     std::uint32_t top_face() const { return curve.segments() + 1; }
@@ -42,7 +42,7 @@ Extrusion<Real> make_extrusion(const PlaneCurve& outline, double bottom, double 
 template <class Real>
 using ExtrusionCrossings = boost::container::small_vector<CurveCrossing<Real>, 8>;
 
-/// Calls found(segment, root) wherever the outline passes through the line through (x, z) with the
+/// Calls found(segment, root) wherever the outline crosses the line through (x, z) with the
 /// direction (dx, dz), seen from above.
 template <class Real, class Found>
 void outline_roots(const Curve<Real>& curve, Real x, Real z, Real dx, Real dz, Found&& found) {
@@ -60,7 +60,7 @@ void outline_roots(const Curve<Real>& curve, Real x, Real z, Real dx, Real dz, F
     }
 }
 
-/// Whether (x, z) is inside the outline: how often a line in one direction leaves it.
+/// Whether (x, z) is inside the outline, by the parity of the crossings in one direction.
 template <class Real>
 bool outline_contains(const Curve<Real>& curve, Real x, Real z) {
     bool inside = false;
@@ -70,13 +70,13 @@ bool outline_contains(const Curve<Real>& curve, Real x, Real z) {
     return inside;
 }
 
-/// A line in the curve's scale, its start slid along itself to near the surface.
+/// A line in the curve's scale. Its start slides along the line to near the surface.
 template <class Real>
 struct ExtrusionLine {
     Vec3<Real> origin;
     Vec3<Real> dir;
-    int unit;         ///< dir is the given one times 2^-unit
-    Real slide;       ///< t of `origin`
+    int unit;         ///< `dir` is the given direction times 2^-unit
+    Real slide;       ///< the line's parameter at `origin`
     Real horizontal;  ///< length of (dir.x, dir.z)
     Real place;       ///< bound on the line's displacement by rounding
 };
@@ -102,8 +102,8 @@ ExtrusionLine<Real> extrusion_line(const Extrusion<Real>& surface, const Vec3<Re
     return line;
 }
 
-/// Crossings of a line that is not vertical with the endless cylinder over the outline, in order
-/// along it. t is that of the scaled line.
+/// The crossings of a non-vertical line with the infinite cylinder over the outline, in order along
+/// the line. t is the parameter of the scaled line.
 template <class Real>
 ExtrusionCrossings<Real> endless_crossings(const Extrusion<Real>& surface,
                                            const ExtrusionLine<Real>& line) {
@@ -136,7 +136,7 @@ ExtrusionCrossings<Real> endless_crossings(const Extrusion<Real>& surface,
     return sides;
 }
 
-/// The crossings of a line with one side, caps or no caps.
+/// The crossings of a line with one side, of infinite height.
 template <class Real>
 ExtrusionCrossings<Real> side_crossings(const Extrusion<Real>& surface, const Vec3<Real>& origin,
                                         const Vec3<Real>& dir, Real origin_error,
@@ -152,7 +152,7 @@ ExtrusionCrossings<Real> side_crossings(const Extrusion<Real>& surface, const Ve
     return found;
 }
 
-/// All crossings of a line with the surface, in order along it. `origin` and `dir` are in the
+/// All crossings of a line with the surface, in order along the line. `origin` and `dir` are in the
 /// shape's own space.
 template <class Real>
 ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Real>& origin,
@@ -223,7 +223,7 @@ ExtrusionCrossings<Real> crossings(const Extrusion<Real>& surface, const Vec3<Re
     return found;
 }
 
-/// Whether a point is inside of the capped solid.
+/// Whether a point is inside the capped solid.
 template <class Real>
 bool contains(const Extrusion<Real>& surface, const Vec3<Real>& point) {
     const Vec3<Real> p = scaled(point, -surface.curve.exponent);

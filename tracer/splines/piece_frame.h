@@ -1,25 +1,28 @@
-// A piece of a patch in coordinates that follow it, and what they tell of a line before the
-// piece's points are looked at.
+// A piece of a patch in coordinates along its own directions: a filter for lines that does not need
+// the piece's points.
 //
-// A piece is nearly a parallelogram: in coordinates along its own two directions and across them,
-// u and v are its parameters but for a shift and a little, and the height is nearly nothing. Seen
-// along a line, the map whose zeros PlaneZeros finds is, after the change of the plane that makes
-// its mean slopes the identity, in real numbers
-//     q = (u(p), v(p)) - (u(o), v(o)) - k (h(p) - h(o)),   k = (u(d), v(d)) / h(d),
-// for a point p of the piece and the line o + t d. Bounds on the coordinates and on their slopes,
-// made once for the piece, therefore bound q and its slopes for every line.
+// A piece is nearly a parallelogram. Let u and v be coordinates along its two mean directions, and
+// h the height across them. Then u and v are nearly its parameters, up to a shift, and h is nearly
+// 0. PlaneZeros searches for zeros of the piece's projection along a line o + t d. After the linear
+// map of the plane that makes the projection's mean slopes the identity, the projection of a point
+// p of the piece is, in real numbers,
+//     q = (u(p), v(p)) - (u(o), v(o)) - k (h(p) - h(o)),   k = (u(d), v(d)) / h(d).
+// So bounds on the coordinates and on their slopes, computed once per piece, give bounds on q and
+// its slopes for every line.
 //
-// That is a filter before PlaneZeros, whose answers it foresees (docs/performance.md). It speaks of
-// such lines alone as are no closer to the piece's mean plane than to let rounding be covered:
-//  - PlaneZeros reports no zero at which q is farther from 0 than 4 of its slacks, `noise` times
-//    the sum of the sizes of a row of the plane's map. Here a slack is 32 such: that covers the
-//    other's rounding, and the rounding here. A place is at most `away` + `size` from the patch's
-//    anchor, and noise >= 8 u away + 32 u size. Coordinates err by 5 u of that, each; k errs by 3 u
-//    of itself and of |d| / h(d), both at most 16-fold by the condition on h(d), times a height.
-//    These are at most 16 noise together, of each row's sums.
-//  - Slopes of coordinates err by 8 u size of a row, which is less than 1/500 where a slack is
-//    below 1/16; so where the bound here on the contraction's factor is 0.7, PlaneZeros finds one
-//    below 0.75. It then halves nothing, and there is at most one zero.
+// This filter predicts the results of PlaneZeros (docs/performance.md). It decides only for lines
+// that are not too close to the direction of the piece's mean plane. Rounding errors are covered:
+//  - PlaneZeros reports no zero at which q is farther from 0 than 4 of its slacks; such a slack is
+//    `noise` times the sum of the sizes in a row of the plane's map. A slack here is 32 times as
+//    large, which covers the rounding errors there and here. A point is at most `away` + `size`
+//    from the patch's anchor, and noise >= 8 u away + 32 u size. Each coordinate has an error of 5
+//    u of that. k has an error of 3 u of itself and of |d| / h(d), times a height; by the condition
+//    on h(d), both are at most 16-fold. Together these errors are at most 16 noise times each row's
+//    sum.
+//  - Slopes of coordinates have an error of 8 u size of a row. This is less than 1/500 if a slack
+//  is
+//    below 1/16. So if the bound here on the contraction's factor is 0.7, PlaneZeros finds a factor
+//    below 0.75. It then does not subdivide, and there is at most one zero.
 #pragma once
 
 #include <array>
@@ -74,22 +77,22 @@ struct PieceFrame {
         }
     }
 
-    /// A place has the coordinates dot(row[k], place): u, v, height. All 0 where a piece has no
-    /// mean plane, of which nothing is then foreseen.
+    /// The coordinates u, v and height of a point p are dot(row[k], p). All rows are 0 if the piece
+    /// has no mean plane; the filter then decides nothing.
     std::array<Vec3<Real>, 3> row{Vec3<Real>(0), Vec3<Real>(0), Vec3<Real>(0)};
-    std::array<Real, 3> row_size{};     ///< sums of the sizes of a row's numbers
-    std::array<Real, 3> low{}, high{};  ///< of the piece's coordinates
-    std::array<Real, 3> middle{};       ///< the corners' mean, where u = v = 1/2
-    std::array<Real, 3> uneven{};       ///< how far slopes differ from 1 and 0: sum of both
-    Real slope = 0;                     ///< the largest size of a component of a derivative
+    std::array<Real, 3> row_size{};     ///< per row the sum of the sizes of its numbers
+    std::array<Real, 3> low{}, high{};  ///< bounds on the piece's coordinates
+    std::array<Real, 3> middle{};       ///< the mean of the corners, where u = v = 1/2
+    std::array<Real, 3> uneven{};       ///< largest deviations of both slopes from 1 and 0, summed
+    Real slope = 0;                     ///< the largest absolute component of a derivative
 };
 
-/// A line as a piece sees it.
+/// A line in the coordinates of a piece.
 template <class Real>
 class PieceView {
   public:
-    /// \param origin  of the line, relative to the piece's patch
-    /// \param noise   as PlaneZeros gets it
+    /// \param origin  the line's origin, relative to the anchor of the piece's patch
+    /// \param noise   the noise that PlaneZeros gets
     PieceView(const PieceFrame<Real>& frame, const Vec3<Real>& origin, const Vec3<Real>& dir,
               Real noise)
         : frame_(frame), origin_(origin), dir_(dir), noise_(noise) {
@@ -112,11 +115,10 @@ class PieceView {
         is_clear = factor <= Real(0.7) && most_slack <= Real(1) / 16;
     }
 
-    /// The line meets the piece once or not at all. Nothing else here says anything where it is
-    /// not clear.
+    /// The line meets the piece at most once. If false, the other functions have no meaning.
     bool is_clear = false;
 
-    /// PlaneZeros would report nothing.
+    /// Whether PlaneZeros would certainly report nothing.
     bool passes_by() const {
         for (std::size_t k = 0; k < 2; ++k) {
             const Real a = slide_[k] * frame_.low[2];
@@ -127,10 +129,11 @@ class PieceView {
         return false;
     }
 
-    /// Parameters of the line between which a crossing must lie, with eight of its error bounds on
-    /// either side. Such a bound is that of the place, and the slack of u and v, 2 / (1 - factor)
-    /// of PlaneZeros' own, times the slope along the line's largest component, over this component;
-    /// and 3 u of the parameter.
+    /// An interval of the line's parameter that must contain a crossing, with eight of its error
+    /// bounds on either side. Such an error bound is the sum of two parts. The first is the noise,
+    /// plus the slack of u and v (2 / (1 - factor) of PlaneZeros' own slack) times the slope along
+    /// the line's largest component, all divided by this component. The second is 3 u of the
+    /// parameter.
     std::pair<Real, Real> stretch() const {
         using std::abs;
         const Real a = (frame_.low[2] - height_) * per_rise_;
@@ -142,9 +145,9 @@ class PieceView {
         return {std::min(a, b) - error, std::max(a, b) + error};
     }
 
-    /// Whether the piece is met for certain. The steps u - q of a contraction lead to its zero,
-    /// which is at most |q| / (1 - factor) away: where that is within the square, the zero is, too.
-    /// (0.7 for the factor, and 4 > 1 / 0.3.)
+    /// Whether the line certainly meets the piece. The steps u - q of a contraction converge to its
+    /// zero, which is at most |q| / (1 - factor) away. If this distance is within the square, the
+    /// zero is as well. (The factor is at most 0.7, and 4 > 1 / 0.3.)
     bool meets(const Piece<Real>& piece) const {
         using std::abs;
         std::array<Real, 2> at;
@@ -177,11 +180,11 @@ class PieceView {
     const Vec3<Real>& origin_;
     const Vec3<Real>& dir_;
     Real noise_;
-    Real rise_;  ///< of the height along the line
-    Real per_rise_ = 0;
-    Real height_ = 0;              ///< of the origin
+    Real rise_;                    ///< h(d), the rate of the height along the line
+    Real per_rise_ = 0;            ///< 1 / rise_
+    Real height_ = 0;              ///< h(o), the height of the origin
     std::array<Real, 2> slide_{};  ///< k
-    std::array<Real, 2> place_{};  ///< where the line meets the height 0
+    std::array<Real, 2> place_{};  ///< u and v of the line at height 0
     std::array<Real, 2> slack_{};
 };
 

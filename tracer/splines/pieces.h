@@ -1,6 +1,6 @@
-// A bicubic patch cut into pieces that are nearly flat and evenly parametrised, so that Newton's
-// method meets each at once: Martin, Cohen, Fish, Shirley, "Practical ray tracing of trimmed NURBS
-// surfaces", JGT 5(1) 2000, section 3.
+// Cuts a bicubic patch into pieces that are nearly flat and evenly parametrised, so that Newton's
+// method converges quickly on each: Martin, Cohen, Fish, Shirley, "Practical ray tracing of trimmed
+// NURBS surfaces", JGT 5(1) 2000, section 3.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace lancer::splines {
 
-/// A part of a Bezier patch: its own 16 control points, by coordinate, and where it lies.
+/// A part of a Bezier patch: its own 16 control points, by coordinate, and its parameters.
 template <class Real>
 struct Piece {
-    std::array<std::array<Real, 16>, 3> c;  ///< relative to a point that the whole patch shares
-    Real u0, v0, du, dv;                    ///< its square in the patch's
+    std::array<std::array<Real, 16>, 3> c;  ///< relative to an anchor, the same for the whole patch
+    Real u0, v0, du, dv;                    ///< its rectangle in the patch's parameter square
 };
 
 template <class Real>
@@ -26,8 +26,8 @@ Vec3<Real> control_point(const Piece<Real>& piece, std::size_t i) {
     return {piece.c[0][i], piece.c[1][i], piece.c[2][i]};
 }
 
-/// Rows of the inverse of (u, v, n / |n|) for the piece's two mean directions u and v and their
-/// normal n, the last one in units of the shorter direction; nothing where it has no mean plane.
+/// The rows of the inverse of (u, v, n / |n|), for the piece's mean directions u and v and their
+/// normal n. The last row is in units of the shorter direction. Nothing if there is no mean plane.
 template <class Real>
 std::optional<std::array<Vec3<Real>, 3>> mean_frame(const Piece<Real>& piece) {
     using std::sqrt;
@@ -41,8 +41,8 @@ std::optional<std::array<Vec3<Real>, 3>> mean_frame(const Piece<Real>& piece) {
                       n / sqrt(nn * std::min(length_squared(u), length_squared(v)))};
 }
 
-/// Whether the surface bends little enough over the piece: its slopes differ from their mean by
-/// less than `most` of it, measured along the piece's own two directions and across them.
+/// Whether the piece is nearly flat and even: its slopes differ from their means by at most `most`
+/// times the means, measured along the piece's two mean directions and across them.
 template <class Real>
 bool is_even(const Piece<Real>& piece, Real most) {
     using std::abs;
@@ -64,7 +64,7 @@ bool is_even(const Piece<Real>& piece, Real most) {
     return true;
 }
 
-/// Halves a piece until its parts are even, or `levels` times.
+/// Halves a piece until its parts are even, but at most `levels` times.
 template <class Real>
 void cut(const Piece<Real>& piece, Real most, int levels, std::vector<Piece<Real>>& pieces) {
     using std::sqrt;
@@ -72,7 +72,7 @@ void cut(const Piece<Real>& piece, Real most, int levels, std::vector<Piece<Real
         pieces.push_back(piece);
         return;
     }
-    // Across the longer direction.
+    // Halve across the longer direction.
     Real longest[2] = {0, 0};
     for (std::size_t k = 0; k < 2; ++k) {
         const std::size_t step = k == 0 ? 1 : 4;

@@ -1,14 +1,14 @@
-// Where a bicubic map of the unit square into the plane is zero: the places at which a line, seen
-// along itself, meets a bicubic patch.
+// The zeros of a bicubic map from the unit square to the plane. With a bicubic patch projected
+// along a line, they are the crossings of the line with the patch.
 //
-// Newton's method with a start that is proved good: the square is halved until the map, after a
-// linear change of the plane, differs from the identity by a contraction. Then it has at most one
-// zero there, and Newton's steps find it or show that there is none. Toth, "On ray tracing
-// parametric surfaces", SIGGRAPH 1985 (the test, with intervals); Martin, Cohen, Fish, Shirley,
-// "Practical ray tracing of trimmed NURBS surfaces", JGT 5(1) 2000 (boxes around flat pieces,
-// Newton's method within); the bounds are those of Bernstein coefficients, as in Nishita,
-// Sederberg, Kakimoto, "Ray tracing trimmed rational surface patches", SIGGRAPH 1990, whose
-// clipping is here the test of the hull in coordinates that follow the piece.
+// This is Newton's method with a proved start. The square is halved until the map, after a linear
+// change of the plane, differs from the identity by a contraction. Then it has at most one zero
+// there, and Newton's steps find it or show that there is none. Toth, "On ray tracing parametric
+// surfaces", SIGGRAPH 1985 (this test, with intervals); Martin, Cohen, Fish, Shirley, "Practical
+// ray tracing of trimmed NURBS surfaces", JGT 5(1) 2000 (boxes around flat pieces, Newton's method
+// inside). The bounds come from Bernstein coefficients, as in Nishita, Sederberg, Kakimoto, "Ray
+// tracing trimmed rational surface patches", SIGGRAPH 1990; in place of their clipping, the convex
+// hull is tested in coordinates along the piece's directions.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@
 namespace lancer::splines {
 
 /// 16 control points in the plane, row by row: u along a row, v from row to row. Both coordinates
-/// go side by side through nearly all that is done with them.
+/// of a point are adjacent, because nearly all operations act on both (SIMD).
 template <class Real>
 using PlaneNet = std::array<std::array<Real, 2>, 16>;
 
-/// A zero at (u, v), each known to within its slack; u and v are in [0, 1].
+/// A zero at (u, v), in [0, 1]^2. The slacks bound the errors of u and v.
 template <class Real>
 struct PlaneZero {
     Real u, v;
@@ -68,7 +68,7 @@ struct BicubicValue {
     }
 };
 
-/// The same of a point in the plane.
+/// The same for points in the plane.
 template <class Real>
 struct PlaneValue {
     std::array<Real, 2> value, du, dv;
@@ -96,7 +96,7 @@ struct PlaneValue {
     }
 };
 
-/// Both halves of a row or column of four coefficients, `step` apart.
+/// Both halves of a row or column: four coefficients with the indices first, first + step, ...
 template <class Real>
 void halve(const std::array<Real, 16>& c, std::size_t first, std::size_t step,
            std::array<Real, 16>& left, std::array<Real, 16>& right) {
@@ -119,14 +119,14 @@ void halve(const std::array<Real, 16>& c, std::size_t first, std::size_t step,
     right[first + 3 * step] = e;
 }
 
-/// Halves of 16 coefficients: along the rows (u), or from row to row.
+/// Both halves of 16 coefficients: along the rows (u), or from row to row (v).
 template <class Real>
 void halve(const std::array<Real, 16>& c, bool along_u, std::array<Real, 16>& low,
            std::array<Real, 16>& high) {
     for (std::size_t k = 0; k < 4; ++k) halve(c, along_u ? 4 * k : k, along_u ? 1 : 4, low, high);
 }
 
-/// The same of points in the plane.
+/// The same for points in the plane.
 template <class Real>
 void halve(const PlaneNet<Real>& c, bool along_u, PlaneNet<Real>& low, PlaneNet<Real>& high) {
     const std::size_t step = along_u ? 1 : 4;
@@ -154,12 +154,13 @@ void halve(const PlaneNet<Real>& c, bool along_u, PlaneNet<Real>& low, PlaneNet<
     }
 }
 
-/// Calls found(PlaneZero) for every zero. Near a place where two zeros meet (the line grazes the
-/// patch) or where the map stands still (a pole) what cannot be told apart is reported as one, or
-/// several times; its slack then covers it all.
+/// Calls found(PlaneZero) for every zero. Two zeros may be closer than rounding errors, where the
+/// line grazes the patch; or the map may have zero derivatives, at a pole. Such zeros are reported
+/// once or several times, and the slack covers all of them.
 ///
-/// \param noise  bound on the error of the coefficients: what is nearer to zero than this counts as
-///               zero, so that patches with a common border leave no gap between them
+/// \param noise  bound on the error of the coefficients. Values nearer to 0 than this count as 0,
+/// so
+///               that patches with a common border leave no gap between them
 template <class Real, class Found>
 class PlaneZeros {
   public:
@@ -167,7 +168,7 @@ class PlaneZeros {
 
     void search(const PlaneNet<Real>& c, Real u0 = 0, Real v0 = 0, Real du = 1, Real dv = 1) {
         using std::abs;
-        // The mean slopes, by the corners.
+        // The mean slopes, from the corners.
         const Real ux = ((c[3][0] - c[0][0]) + (c[15][0] - c[12][0])) / 2;
         const Real uy = ((c[3][1] - c[0][1]) + (c[15][1] - c[12][1])) / 2;
         const Real vx = ((c[12][0] - c[0][0]) + (c[15][0] - c[3][0])) / 2;
@@ -186,8 +187,8 @@ class PlaneZeros {
         } else {
             if (is_apart(c, {noise_, noise_})) return;
             if (is_on_a_line(c)) {
-                // A flat patch seen edge-on shows nothing. Of one that bends, such a part is where
-                // the ray runs along it: no gap there.
+                // A flat patch that is seen edge-on is invisible. In a curved patch, the ray runs
+                // along such a part; it is reported, to leave no gap.
                 if (du < 1 || dv < 1) report_all(u0, v0, du, dv);
                 return;
             }
@@ -227,8 +228,8 @@ class PlaneZeros {
         return q;
     }
 
-    /// In one coordinate all points are on one side of zero, and farther than its `slack`: no zero
-    /// (convex hull).
+    /// Whether in one coordinate all points lie on one side of 0, farther from it than the slack.
+    /// Then there is no zero (convex hull).
     static bool is_apart(const PlaneNet<Real>& c, const std::array<Real, 2>& slack) {
         Two<Real> low(c[0]);
         Two<Real> high(c[0]);
@@ -240,7 +241,7 @@ class PlaneZeros {
         return (less(most, low) | less(high, Two<Real>(Real(0)) - most)) != 0;
     }
 
-    /// The sizes where they are larger than `most`.
+    /// The larger of |x| and `most`, for each number.
     static Two<Real> larger_size(const Two<Real>& x, const Two<Real>& most) {
         return larger(x, larger(Two<Real>(Real(0)) - x, most));
     }
@@ -248,7 +249,7 @@ class PlaneZeros {
         return Two<Real>(c[to]) - Two<Real>(c[from]);
     }
 
-    /// The largest difference of the map's slopes from the identity's, in the maximum norm.
+    /// A bound on the difference of the map's derivative from the identity, in the maximum norm.
     static Real contraction(const PlaneNet<Real>& q) {
         const Two<Real> three(Real(3));
         const Two<Real> one_x(std::array{Real(1), Real(0)});
@@ -267,7 +268,7 @@ class PlaneZeros {
         return row[0] > row[1] ? row[0] : row[1];
     }
 
-    /// All points on a line, as far as rounding shows.
+    /// Whether all points lie on a line, up to rounding.
     bool is_on_a_line(const PlaneNet<Real>& c) const {
         using std::abs;
         std::size_t far = 0;
@@ -300,16 +301,16 @@ class PlaneZeros {
 
     static Real clamped(Real s) { return s < 0 ? Real(0) : s > 1 ? Real(1) : s; }
 
-    /// The one zero of q, which differs from the identity (and a shift) by a contraction with
-    /// factor `off` < 1.
+    /// Finds the only zero of q, which differs from the identity plus a shift by a contraction with
+    /// the factor `off` < 1.
     void newton(const PlaneNet<Real>& q, Real off, Real slack_u, Real slack_v, Real u0, Real v0,
                 Real du, Real dv) {
         using std::abs;
         constexpr int newton_steps = 12;
-        constexpr int steps = 400;  // by then the contraction alone has found it
+        constexpr int steps = 400;  // enough for the contraction alone
         Real u = Real(0.5);
         Real v = Real(0.5);
-        // The zero may be outside by its slack, which rounding cannot tell from inside.
+        // The zero may lie outside by its slack: rounding cannot tell that from inside.
         const Real beyond_u = 2 * slack_u;
         const Real beyond_v = 2 * slack_v;
         for (int i = 0; i < steps; ++i) {
@@ -337,8 +338,8 @@ class PlaneZeros {
             u = next_u;
             v = next_v;
             if (met) break;
-            // Newton's steps may come to rest at the border with the zero elsewhere in the square;
-            // where the contraction rests there is none.
+            // Newton's steps may stop at the border although the zero is elsewhere in the square.
+            // If the contraction's steps stop there, there is no zero.
             if (stands && i < newton_steps) {
                 i = newton_steps - 1;
             } else if (stands) {

@@ -1,14 +1,14 @@
-// A ray and the true surface of revolution of a plane curve about the y axis.
+// The crossings of a ray with the true surface of revolution of a plane curve about the y axis.
 //
-// In the half-plane (radius, y) the surface is the curve (r(s), y(s)), and the ray's place is where
-// it has the same height. With L the horizontal speed of the ray, q the way from its start to the
-// axis's perpendicular plane, and c its distance from the axis seen from above, a crossing is a
-// root of
+// In the half-plane (radius, y) the surface is the curve (r(s), y(s)). At parameter s the ray is
+// taken where it has the height y(s). Let L be the horizontal speed of the ray, q the position of
+// its start along its horizontal direction, measured from the axis, and c its distance from the
+// axis as seen from above. Eliminating t, a crossing is a root of
 //     F(s) = A(s)^2 + (dy c)^2 - (dy r(s))^2,    A(s) = L (y(s) - oy) + dy q,
-// of degree 6 for cubic segments (the elimination of t; compare van Wijk, "Ray tracing objects
-// defined by sweeping planar cubic splines", ACM TOG 3 (1984)). F is never expanded: A and r are
-// halved as cubics, and F's coefficients formed anew from the halves, so that near-horizontal rays,
-// for which F nearly is a square, lose nothing.
+// which has degree 6 for cubic segments (compare van Wijk, "Ray tracing objects defined by sweeping
+// planar cubic splines", ACM TOG 3 (1984)). F is never expanded and then halved: A and r are halved
+// as cubics, and the coefficients of F are computed anew from the halves. So precision is kept for
+// nearly horizontal rays, for which F is nearly a square.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -19,12 +19,12 @@
 
 namespace lancer::splines {
 
-/// A profile (radius, y) made ready.
+/// A profile (radius, y) prepared for rays.
 template <class Real>
 struct Revolution {
     Curve<Real> curve;
     bool encloses = false;  ///< the profile is closed, or ends on the axis: a body
-    Real outward = 1;       ///< sign that turns (y', -r') outwards
+    Real outward = 1;       ///< sign for which (y', -r') times it points outwards
 };
 
 template <class Real>
@@ -44,7 +44,7 @@ struct RevolutionPiece {
     Bernstein<Real, N> b;  ///< dy r
     Real cc;               ///< (dy c)^2
     Bernstein<Real, 2 * N> f{};
-    Real largest = 0;  ///< of the squares that F is a sum of
+    Real largest = 0;  ///< the largest of the squares of which F is a sum
 
     RevolutionPiece(const Bernstein<Real, N>& a_, const Bernstein<Real, N>& b_, Real cc_)
         : a(a_), b(b_), cc(cc_) {
@@ -57,7 +57,7 @@ struct RevolutionPiece {
         }
     }
     const Bernstein<Real, 2 * N>& coefficients() const { return f; }
-    /// Two products, a weighted mean and two sums.
+    /// Bound on the rounding error of f: two products, a weighted mean and two sums.
     Real noise() const { return 3 * gamma<Real>(6) * largest; }
     std::pair<RevolutionPiece, RevolutionPiece> split() const {
         const auto [a0, a1] = halves(a);
@@ -71,15 +71,15 @@ struct RevolutionPiece {
     }
 };
 
-/// A ray in the curve's scale, its start slid along itself to near the surface.
+/// A ray in the curve's scale. Its start slides along the ray to near the surface.
 template <class Real>
 struct RevolutionLine {
     Vec3<Real> origin;
     Vec3<Real> dir;
-    Real slide;       ///< t of `origin`
+    Real slide;       ///< the ray's parameter at `origin`
     Real horizontal;  ///< L: length of (dir.x, dir.z)
-    Real along;       ///< q: place of the origin along the horizontal direction, from the axis
-    Real beside;      ///< c: distance of the line from the axis seen from above, with a sign
+    Real along;       ///< q: position of the origin along the horizontal direction, from the axis
+    Real beside;      ///< c: signed distance of the line from the axis, seen from above
     Real place;       ///< bound on the line's displacement by rounding
 };
 
@@ -97,7 +97,8 @@ RevolutionLine<Real> revolution_line(const Revolution<Real>& surface, const Vec3
         line.origin = origin + line.slide * dir;
     }
     line.place = origin_error + gamma<Real>(4) * (reach(origin) + far + 8);
-    // Directions are near 1: what has no sound square beside that moves the line by nothing.
+    // Directions have lengths near 1. If the square of the horizontal part underflows, that part
+    // does not move the line.
     const Real squared = dir.x * dir.x + dir.z * dir.z;
     line.horizontal = is_sound_square(squared) ? sqrt(squared) : Real(0);
     if (line.horizontal == 0) line.dir.x = line.dir.z = 0;
@@ -108,8 +109,10 @@ RevolutionLine<Real> revolution_line(const Revolution<Real>& surface, const Vec3
     return line;
 }
 
-/// Where the line meets the surface at parameter s of a segment; `side` is the sign of its way from
-/// the point nearest to the axis (0: as the height tells).
+/// The crossing of the line with the surface at the root's parameter of a segment.
+///
+/// \param side  sign of the position along the line, from its point nearest to the axis; 0 if the
+///              height decides it
 template <class Real>
 CurveCrossing<Real> revolution_crossing(const Revolution<Real>& surface,
                                         const RevolutionLine<Real>& line, std::uint32_t segment,
@@ -123,7 +126,7 @@ CurveCrossing<Real> revolution_crossing(const Revolution<Real>& surface,
     const Real rise = at.point.y - line.origin.y;
 
     CurveCrossing<Real> hit{0, 0, segment, root.s, false};
-    Real way = 0;  // along the horizontal direction, from the point nearest to the axis
+    Real way = 0;  // position along the horizontal direction, from the point nearest to the axis
     if (side == 0) {
         way = line.horizontal * rise / line.dir.y + line.along;
         side = way < 0 ? Real(-1) : Real(1);
@@ -132,7 +135,7 @@ CurveCrossing<Real> revolution_crossing(const Revolution<Real>& surface,
         way = side * chord;
         hit.entering = root.rising == (side < 0);
     }
-    // Of height and radius, the one that changes faster along the ray tells where it is.
+    // t follows from the height or from the radius, whichever changes faster along the ray.
     if (line.dir.y != 0 && abs(line.dir.y) * r >= line.horizontal * chord) {
         hit.t = rise / line.dir.y;
     } else {
@@ -140,8 +143,8 @@ CurveCrossing<Real> revolution_crossing(const Revolution<Real>& surface,
         hit.t = (way - line.along) / line.horizontal;
     }
 
-    // A displacement of the line by `place` moves the crossing by place / cosine, and at a tangent
-    // by about the half chord that it adds.
+    // A displacement of the line by `place` moves the crossing by place / cosine; near a tangent by
+    // about the half chord that it adds.
     const Vec2<Real> tangent = direction(surface.curve, segment, root.s);
     const Real normal = sqrt(tangent.x * tangent.x + tangent.y * tangent.y);
     const Real outwards = r > 0 ? line.horizontal * way / r : line.horizontal;
@@ -170,7 +173,7 @@ void segment_crossings(const Revolution<Real>& surface, const RevolutionLine<Rea
         b[i] = line.dir.y * p[i].x;
     }
     if (level) {
-        // Each place of the ray's height brings two crossings, or none.
+        // Each point of the curve at the ray's height gives two crossings, or none.
         sign_change_roots<Real>(Polynomial<Real, N>{a}, [&](const Root<Real>& root) {
             if (!(sample(surface.curve, segment, root.s).point.x > abs(line.beside))) return;
             found.push_back(revolution_crossing(surface, line, segment, root, Real(-1)));
@@ -185,9 +188,9 @@ void segment_crossings(const Revolution<Real>& surface, const RevolutionLine<Rea
     });
 }
 
-/// All crossings of a line with the surface, in order along it. `origin` and `dir` are in the
-/// shape's own space, `origin_error` bounds the start's displacement; `only` restricts the search
-/// to one segment. For a body their number is even and entries and exits alternate.
+/// All crossings of a line with the surface, in order along the line. `origin` and `dir` are in the
+/// shape's own space; `origin_error` bounds the start's displacement; `only` restricts the search
+/// to one segment. For a body the number of crossings is even, and entries and exits alternate.
 template <class Real>
 CurveCrossings<Real> crossings(const Revolution<Real>& surface, const Vec3<Real>& origin,
                                const Vec3<Real>& dir, Real origin_error,
@@ -201,8 +204,9 @@ CurveCrossings<Real> crossings(const Revolution<Real>& surface, const Vec3<Real>
     CurveCrossings<Real> found;
     if (abs(line.beside) > curve.max.x) return found;
 
-    // A ray that climbs over the whole surface by no more than some roundings of a height is level:
-    // its two crossings near each place of its height could not be told apart.
+    // A ray that climbs across the whole surface by no more than some rounding errors of a height
+    // counts as level. Otherwise its two crossings at each point of its height could not be told
+    // apart.
     const Real tallest =
         std::max(abs(curve.min.y - line.origin.y), abs(curve.max.y - line.origin.y));
     const Real indistinct = 64 * unit_roundoff<Real> * tallest;
@@ -211,8 +215,7 @@ CurveCrossings<Real> crossings(const Revolution<Real>& surface, const Vec3<Real>
     if (level) line.place += indistinct;
     if (level) line.dir.y = 0;
 
-    // Heights at which the line is within the widest radius: segments beyond them are not looked
-    // at.
+    // The heights at which the line is within the largest radius. Segments beyond them are skipped.
     const Real middle =
         line.origin.y -
         (line.horizontal > 0 ? line.dir.y * (line.along / line.horizontal) : Real(0));
@@ -251,8 +254,8 @@ CurveCrossings<Real> crossings(const Revolution<Real>& surface, const Vec3<Real>
     return found;
 }
 
-/// Whether a point is inside of a surface that encloses space: how often the way straight out from
-/// the axis crosses the profile beyond it.
+/// Whether a point is inside a surface that encloses space, by the parity of the crossings of the
+/// profile beyond the point, straight away from the axis.
 template <class Real>
 bool contains(const Revolution<Real>& surface, const Vec3<Real>& point) {
     using std::sqrt;

@@ -1,12 +1,12 @@
-// All the places where a function of the spline parameter changes sign, none missed and none
-// invented.
+// Finds all sign changes of a function of the spline parameter. None is missed, and none is
+// reported without a sign change.
 //
-// Sign variations of Bernstein coefficients tell how many roots an interval can hold; intervals are
-// halved until they hold none or one (Lane, Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)),
-// and the one is found by Newton steps that never leave their bracket. What decides are signs
-// alone: an interval with different signs at its ends brings exactly one root, whatever rounding
-// did inside, and neighbours see the same sign at their shared end. So the number of crossings
-// along a closed curve is even always, which is what keeps closed surfaces tight.
+// The sign changes of Bernstein coefficients bound the number of roots in an interval. Intervals
+// are halved until they contain none or one (Lane, Riesenfeld, "Bounds on a polynomial", BIT 21
+// (1981)); the single root is found by Newton steps that never leave their bracket. Only signs
+// decide: an interval with different signs at its ends has exactly one reported root, whatever
+// rounding does inside, and adjacent intervals see the same sign at their common end. So the number
+// of crossings along a closed curve is always even, which keeps closed surfaces tight.
 #pragma once
 
 #include <limits>
@@ -24,7 +24,7 @@ struct Root {
     bool rising;  ///< from negative to positive
 };
 
-/// A polynomial as a function whose roots are wanted.
+/// A polynomial, with the functions that sign_change_roots() needs.
 template <class Real, std::size_t N>
 struct Polynomial {
     Bernstein<Real, N> c;
@@ -43,7 +43,7 @@ struct Polynomial {
 };
 
 /// The root of `f` in [0, 1], where f has different signs at 0 and 1. Newton's method inside a
-/// shrinking bracket (Press et al., Numerical Recipes, 3rd ed., section 9.4), to the last digits.
+/// shrinking bracket (Press et al., Numerical Recipes, 3rd ed., section 9.4), to full precision.
 template <class Real, class Function>
 Real bracketed_root(const Function& f, bool rising) {
     using std::abs;
@@ -56,7 +56,7 @@ Real bracketed_root(const Function& f, bool rising) {
         if (at.value == 0) return s;
         ((at.value < 0) == rising ? low : high) = s;
         Real next = s - at.value / at.slope;
-        // A step out of the bracket, or not even half of the one before, is replaced by bisection.
+        // Bisection replaces a step that leaves the bracket or is longer than half the step before.
         if (!(next > low && next < high) || abs(next - s) > abs(last_step) / 2) {
             next = low + (high - low) / 2;
         }
@@ -81,8 +81,8 @@ void sign_change_roots(const Function& f, Real low, Real high, Found&& found) {
                          first_negative});
         return;
     }
-    // Halving ends where the parameter has no number left in between, or the values are all
-    // rounding.
+    // Halving ends if there is no number between the ends, or if all values are only rounding
+    // errors.
     const Real middle = low + (high - low) / 2;
     bool undecidable = !(middle > low && middle < high);
     if (!undecidable) {

@@ -1,4 +1,4 @@
-// Looking images up. The rules are those of POV-Ray's image_map, which docs/shading.md states.
+// Looks up colours in images, by the rules of POV-Ray's image_map (docs/shading.md).
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace lancer {
 
-/// Colour and opacity (1 - the share that passes) of a texture at a point.
+/// Colour and alpha of a texture at a point; the share 1 - alpha of the light passes.
 template <class Real>
 struct TextureColor {
     Vec3<Real> color;
@@ -23,11 +23,11 @@ struct ImagePattern {
     ImageTexture::Mapping mapping{};
     ImageTexture::Filter filter{};
     ImageTexture::Wrap wrap{};
-    Affine<Real> from_uv;  ///< mapping uv: the texture's own transforms undone, on (u, v, 0)
+    Affine<Real> from_uv;  ///< mapping uv: inverse of the texture's transforms, for (u, v, 0)
 };
 
-/// Column or row of a texel that may lie outside of an image of `size`: repeated, or the nearest
-/// that there is.
+/// The column or row in an image of this size for a number that may lie outside: repeated, or
+/// clamped to the nearest.
 template <class Real>
 int wrapped(Real whole, int size, ImageTexture::Wrap wrap) {
     using std::floor;
@@ -37,7 +37,7 @@ int wrapped(Real whole, int size, ImageTexture::Wrap wrap) {
     return inside < n ? static_cast<int>(inside) : size - 1;
 }
 
-/// A texel, its row counted from the bottom: red, green, blue, and alpha where there is one.
+/// A texel, with rows counted from the bottom: red, green, blue, and alpha (0 if there is none).
 template <class Real>
 std::array<Real, 4> texel(const Image& image, int column, int row_up) {
     const double* p = image.pixel(column, image.height - 1 - row_up);

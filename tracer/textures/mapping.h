@@ -1,11 +1,11 @@
-// From a place to the two coordinates of an image: u to the right, v up, one image per unit.
+// From a point to image coordinates: u to the right, v up, one image per unit.
 #pragma once
 
 #include "tracer/textures/placement.h"
 
 namespace lancer {
 
-/// Image coordinates, and how far rounding may have carried each.
+/// Image coordinates, and bounds on their rounding errors.
 template <class Real>
 struct ImagePoint {
     Real u;
@@ -21,7 +21,7 @@ Real turn(Real y, Real x) {
     constexpr Real one_turn = static_cast<Real>(6.283185307179586476925286766559005768L);
     const Real t = elementary::atan2(y, x) / one_turn;
     const Real positive = t - floor(t);
-    return positive - floor(positive);  // t may be so small that its turn is a whole one
+    return positive - floor(positive);  // a tiny negative t gives 1, which becomes 0
 }
 
 template <class Real>
@@ -29,18 +29,18 @@ ImagePoint<Real> planar(const PatternPoint<Real>& p) {
     return {p.at.x, p.at.y, p.bound.x, p.bound.y};
 }
 
-/// u once round the y axis, from +x towards +z; v = y.
+/// u goes once about the y axis, from +x towards +z; v = y.
 template <class Real>
 ImagePoint<Real> cylindrical(const PatternPoint<Real>& p) {
     using std::sqrt;
     const Real from_axis = sqrt(p.at.x * p.at.x + p.at.z * p.at.z);
     const Real aside = p.bound.x + p.bound.z;
-    const Real u_bound = gamma<Real>(4) + aside / from_axis;  // on the axis u may be anything
+    const Real u_bound = gamma<Real>(4) + aside / from_axis;  // infinite on the axis
     return {turn(p.at.z, p.at.x), p.at.y, u_bound, p.bound.y};
 }
 
-/// u as cylindrical; v = 1/2 + asin(y / |p|) / pi, the angle taken from its tangent, which is as
-/// precise at the poles as elsewhere.
+/// u as in cylindrical(); v = 1/2 + asin(y / |p|) / pi. The angle is computed from its tangent,
+/// which is as precise at the poles as elsewhere.
 template <class Real>
 ImagePoint<Real> spherical(const PatternPoint<Real>& p) {
     using std::sqrt;

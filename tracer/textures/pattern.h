@@ -1,4 +1,4 @@
-// Checker and gradient: colours that follow from a place alone.
+// Checker and gradient: colours that depend only on the point.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Vec3<Real> color_at(const CheckerPattern<Real>& checker, const PatternPoint<Real
     bool odd = false;
     for (int i = 0; i < 3; ++i) {
         const Real whole = whole_part(p.at[i], p.bound[i]);
-        odd ^= whole != 2 * floor(whole / 2);  // exact, however large the number
+        odd ^= whole != 2 * floor(whole / 2);  // exact for numbers of any size
     }
     return odd ? checker.odd : checker.even;
 }
@@ -36,8 +36,9 @@ struct GradientPattern {
     std::vector<Stop> stops;
 };
 
-/// Linear between the stops around the fractional part of p along the axis; the end colours beyond
-/// them. Two stops at one place make a step, whose upper side holds the place itself.
+/// Linear between the stops around the fractional part of p along the axis; beyond the first and
+/// last stop their colours. Two stops at the same position make a step; the position itself belongs
+/// to the upper side.
 template <class Real>
 Vec3<Real> color_at(const GradientPattern<Real>& gradient, const PatternPoint<Real>& p) {
     const Real along = dot(gradient.axis, p.at);
@@ -55,7 +56,7 @@ Vec3<Real> color_at(const GradientPattern<Real>& gradient, const PatternPoint<Re
     return (1 - share) * low.color + share * above->color;
 }
 
-/// What stands behind everything, by direction.
+/// The background as a function of the direction.
 template <class Real>
 struct SkyPattern {
     Vec3<Real> axis;                                          ///< unit

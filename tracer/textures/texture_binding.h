@@ -1,4 +1,4 @@
-// Textures in the tracer's number type, and how each primitive wears its own.
+// Textures in the tracer's number type, and their binding to primitives.
 #pragma once
 
 #include <variant>
@@ -9,7 +9,7 @@
 
 namespace lancer {
 
-/// The colours of a mesh's vertices: the primitive has them.
+/// The colours of a mesh's vertices; the primitive's mesh has them.
 struct VertexPattern {};
 
 template <class Real>
@@ -19,9 +19,9 @@ using Pattern =
 /// One primitive's texture coordinates.
 template <class Real>
 struct TextureBinding {
-    /// To the texture's own space; with `mapping uv` to the object's.
+    /// The map to the texture's own space; with `mapping uv`, to the object's own space.
     Placement<Real> placement;
-    Chart<Real> chart;  ///< with `mapping uv`
+    Chart<Real> chart;  ///< only used with `mapping uv`
 };
 
 }  // namespace lancer

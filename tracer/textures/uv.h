@@ -1,4 +1,4 @@
-// The shapes' own parameters (u, v), which images with `mapping uv` lie on. docs/shading.md, "uv".
+// The shapes' own parameters (u, v), for images with `mapping uv`: docs/shading.md, "uv".
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace lancer {
 
-// How the points of one shape get their (u, v). All in the shape's own space, unscaled.
+// Charts: how the points of a shape get their (u, v). All in the shape's own space, unscaled.
 
 /// Plane, triangle or mesh without uvs: u = x, v = y.
 struct PlanarChart {};
@@ -30,13 +30,13 @@ struct BoxChart {
 template <class Real>
 struct FrustumChart {
     Vec3<Real> base;
-    Vec3<Real> x, y, z;  ///< unit: y from base to top, x the world's made perpendicular, z = x × y
+    Vec3<Real> x, y, z;  ///< unit: y from base to top, x perpendicular to it, z = x × y
     Real height;
     Real base_radius, top_radius;
-    bool base_is_small;  ///< the tracer numbers caps by their size
+    bool base_is_small;  ///< the base is the small cap (the tracer numbers caps by their size)
 };
 
-/// A triangle's corners' uvs.
+/// The uvs of a triangle's corners.
 template <class Real>
 struct TriangleChart {
     std::array<Vec2<Real>, 3> uvs;
@@ -46,7 +46,7 @@ struct MeshChart {
     const Mesh* mesh;  ///< with uvs
 };
 
-/// Patch, lathe, prism and torus: the tracer's shape says (u, v) itself, in
+/// Patch, lathe, prism and torus: the tracer's shape computes (u, v) itself, in
 /// SurfacePoint::parameter.
 struct ParameterChart {};
 
@@ -54,12 +54,12 @@ template <class Real>
 using Chart = std::variant<PlanarChart, SphereChart<Real>, BoxChart<Real>, FrustumChart<Real>,
                            TriangleChart<Real>, MeshChart, ParameterChart>;
 
-/// What a chart may ask about a hit.
+/// The data of a hit that charts use.
 template <class Real>
 struct ChartPoint {
     PatternPoint<Real> object;      ///< in the object's space
     Vec3<Real> normal;              ///< geometric, outward, in the object's space, any length
-    std::uint32_t face;             ///< as the tracer's shape numbers it
+    std::uint32_t face;             ///< its number in the tracer's shape
     const SurfacePoint<Real>& hit;  ///< in the primitive's space
 };
 
@@ -73,13 +73,13 @@ ImagePoint<Real> uv_at(const SphereChart<Real>& chart, const ChartPoint<Real>& p
     return spherical(PatternPoint<Real>{p.object.at - chart.center, p.object.bound});
 }
 
-/// Each face its own [0, 1]², upright and unmirrored as seen from outside.
+/// Each face has its own [0, 1]², upright and not mirrored as seen from outside.
 template <class Real>
 ImagePoint<Real> uv_at(const BoxChart<Real>& chart, const ChartPoint<Real>& p) {
     const Vec3<Real> steep = absolute(p.normal);
     const int axis = steep.x >= steep.y && steep.x >= steep.z ? 0 : (steep.y >= steep.z ? 1 : 2);
     const bool at_max = p.normal[axis] > 0;
-    // NaN along the axis of a flat box, whose faces across that axis have no points.
+    // NaN along an axis in which the box has no extent; faces with that coordinate have no points.
     const Vec3<Real> q = (p.object.at - chart.min) / chart.size;
     const Vec3<Real> bound = p.object.bound / chart.size + Vec3<Real>(gamma<Real>(4));
     if (axis == 0) return {at_max ? 1 - q.z : q.z, q.y, bound.z, bound.y};
@@ -87,7 +87,7 @@ ImagePoint<Real> uv_at(const BoxChart<Real>& chart, const ChartPoint<Real>& p) {
     return {at_max ? q.x : 1 - q.x, q.y, bound.x, bound.y};
 }
 
-/// Mantle: u round the axis, v from base to top. Caps: planar, the disc in the middle of [0, 1]².
+/// Side: u about the axis, v from base to top. Caps: planar, with the disc inscribed in [0, 1]².
 template <class Real>
 ImagePoint<Real> uv_at(const FrustumChart<Real>& chart, const ChartPoint<Real>& p) {
     const Vec3<Real> rel = p.object.at - chart.base;
@@ -104,7 +104,7 @@ ImagePoint<Real> uv_at(const FrustumChart<Real>& chart, const ChartPoint<Real>& 
     return {Real(0.5) + own.x / across, Real(0.5) + own.z / across, bound, bound};
 }
 
-/// Interpolated between three corners with the weights of a triangle's hit.
+/// Interpolates the uvs of three corners by the barycentric coordinates of a triangle's hit.
 template <class Real>
 ImagePoint<Real> between(const std::array<Vec2<Real>, 3>& uvs, const Vec2<Real>& weights) {
     using std::abs;
@@ -120,7 +120,7 @@ ImagePoint<Real> uv_at(const TriangleChart<Real>& chart, const ChartPoint<Real>&
     return between(chart.uvs, p.hit.parameter);
 }
 
-/// A face of which a corner has no uv is planar, like a mesh without.
+/// If a corner of the face has no uv, the face is planar, like a mesh without uvs.
 template <class Real>
 ImagePoint<Real> uv_at(const MeshChart& chart, const ChartPoint<Real>& p) {
     const Mesh& mesh = *chart.mesh;
