@@ -9,7 +9,7 @@
 namespace lancer::splines {
 namespace {
 
-/// The same for both directions.
+/// A key for the curve, the same for both directions.
 std::array<double, 12> border_key(const BorderCurve& curve) {
     std::array<double, 12> forwards{};
     std::array<double, 12> backwards{};
@@ -30,8 +30,8 @@ double distance_squared(const Vec3d& q, const Vec3d& from, const Vec3d& to) {
     return length_squared(q - from - chord * s);
 }
 
-/// Whether a part of the curve is within the tolerance of its chord: a distance from the chord is
-/// convex, so the control points of small parts bound it.
+/// Whether a part of the curve is within the tolerance of its chord. The distance from a chord is a
+/// convex function, so the control points of small parts bound it.
 bool curve_holds(const BorderCurve& curve, double low, double high, double tolerance) {
     constexpr int parts = 8;
     BorderCurve whole = curve;
@@ -46,8 +46,9 @@ bool curve_holds(const BorderCurve& curve, double low, double high, double toler
     return true;
 }
 
-/// And whether the chords are proved to be within the tolerance of the curve, as the triangles
-/// beside them will have to be: of a patch as narrow as the curve.
+/// Whether curve and chords are proved to be within the tolerance of each other. For the chords,
+/// the proof is that of degenerate triangles near a patch without width, the same proof as for the
+/// triangles beside them.
 bool chords_hold(const BorderCurve& curve, const NearPatch& narrow, int steps) {
     const auto end = [&](int i) {
         return FootPoint::on(narrow.points(), {static_cast<double>(i) / steps, 0});
@@ -62,7 +63,7 @@ bool chords_hold(const BorderCurve& curve, const NearPatch& narrow, int steps) {
     return true;
 }
 
-/// What the chords may take: no less than the roundings of the curve's own points.
+/// The tolerance of the chords, at least the rounding errors of the curve's own points.
 double chord_tolerance(const BorderCurve& curve, double tolerance) {
     double farthest = 0;
     for (const Vec3d& q : curve) farthest = std::max(farthest, length(q));
@@ -86,7 +87,7 @@ int likely_border_steps(const BorderCurve& c, double tolerance) {
     constexpr double most = 1 << 20;
     const double bend =
         std::max(length((c[0] + c[2]) - 2.0 * c[1]), length((c[1] + c[3]) - 2.0 * c[2]));
-    // |S''| <= 6 bend, and a chord over a step h errs by at most h^2 / 8 of it.
+    // |S''| <= 6 bend, and the error of a chord over a step h is at most h^2 / 8 times |S''|.
     const double steps = std::sqrt(6 * bend / (8 * chord_tolerance(c, tolerance)));
     return steps < most ? std::max(1, static_cast<int>(std::ceil(steps))) : static_cast<int>(most);
 }
@@ -94,7 +95,7 @@ int likely_border_steps(const BorderCurve& c, double tolerance) {
 int border_steps(const BorderCurve& curve, double tolerance) {
     const int enough = likely_border_steps(curve, tolerance);
     if (enough > 1000) return enough;
-    // The same bits whichever way the curve runs.
+    // The result has the same bits for both directions of the curve.
     BorderCurve one_way = curve;
     const auto key = [](const Vec3d& p, const Vec3d& q) {
         return std::array{p.x, p.y, p.z, q.x, q.y, q.z};
@@ -103,8 +104,8 @@ int border_steps(const BorderCurve& curve, double tolerance) {
     Bicubic<double> rows;
     for (std::size_t i = 0; i < 16; ++i) rows[i] = one_way[i % 4];
     const NearPatch narrow(rows, chord_tolerance(curve, tolerance));
-    // A chord may run along a fold of the curve, far from it at equal parameters; but not too far:
-    // the triangles beside it would be hard to prove.
+    // At a fold of the curve, a chord may be near the curve but far from it at equal parameters. So
+    // fewer steps are tried, but not too few: the triangles beside would be hard to prove.
     for (int steps = likely_border_steps(curve, 8 * tolerance); steps < enough;
          steps += 1 + steps / 16) {
         if (chords_hold(one_way, narrow, steps)) return steps;

@@ -1,4 +1,4 @@
-// Border curves of patches: two patches that have one in common must cut it alike.
+// Border curves of patches. Two patches with a common border must cut it in the same way.
 #pragma once
 
 #include <array>
@@ -15,28 +15,30 @@ using BorderCurve = std::array<Vec3d, 4>;
 /// The four sides of a Bezier patch, counter-clockwise in (u, v) from the corner (0, 0).
 std::array<BorderCurve, 4> border_curves(const BezierPatch& p);
 
-/// How exactly a border is drawn for a patch of this tolerance; without one, 1/2000 of the diagonal
-/// of the curve's own control points' box.
+/// The tolerance of a border curve, for a patch with this tolerance. Without one it is 1/2000 of
+/// the diagonal of the box of the curve's own control points.
 double border_tolerance(const BorderCurve& c, std::optional<double> tolerance);
 
-/// What the chords of a border may take of its tolerance. The rest is for the triangles beside
-/// them: with less they get many, and the chords with more.
+/// The share of the tolerance that the chords of a border may use. The rest is for the triangles
+/// beside them. With a larger share there would be many triangles, with a smaller one many chords.
 inline constexpr double border_share = 0.95;
 
-/// Steps of equal parameter into which a border curve is cut, so that chords and curve are within
-/// border_share of the tolerance of each other. The same for the reversed curve.
+/// The number of equal parameter steps into which a border curve is cut, so that chords and curve
+/// are within border_share of the tolerance of each other. The same for the reversed curve.
 int border_steps(const BorderCurve& curve, double tolerance);
 
-/// At least about as many, quickly. No more than 2^20.
+/// A fast upper estimate of border_steps(); at most 2^20.
 int likely_border_steps(const BorderCurve& curve, double tolerance);
 
-/// The smallest tolerance that any of several patches asks for along a border curve.
+/// For each border curve the smallest tolerance of the patches that have it.
 class BorderTolerances {
   public:
-    /// With the tolerance that tessellate() will get.
+    /// Adds the border curves of a patch.
+    ///
+    /// \param tolerance  the one that tessellate() will get
     void add(const Patch& patch, std::optional<double> tolerance);
 
-    /// Of this curve, in either direction; none when no patch has it.
+    /// The tolerance of this curve, in either direction; nothing if no patch has it.
     std::optional<double> at(const BorderCurve& curve) const;
 
   private:

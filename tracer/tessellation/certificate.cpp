@@ -7,16 +7,16 @@
 namespace lancer::splines {
 namespace {
 
-/// The largest of (x y a + y z b + z x c) / 2 over weights x + y + z = 1, for a, b, c >= 0: twice
-/// this is the square of a triangle's circumradius over 4, its edges squared being a, b, c; or of
-/// half its longest edge, when it is obtuse.
+/// The largest value of (x y a + y z b + z x c) / 2 over weights x, y, z >= 0 with the sum 1, for
+/// a, b, c >= 0. For a triangle with the squared edges a, b, c it is half of the squared
+/// circumradius; if the triangle is obtuse, half of the squared half of its longest edge.
 double largest_mean(double a, double b, double c) {
     const double most = std::max({a, b, c});
     if (2 * most >= a + b + c) return most / 8;
     return a * b * c / (2 * (2 * (a * b + b * c + c * a) - (a * a + b * b + c * c)));
 }
 
-/// (q at the edges between corners 0-1, 1-2, 2-0) of the form uu du^2 + 2 uv du dv + vv dv^2.
+/// The values of the form uu du^2 + 2 uv du dv + vv dv^2 for the edges 0-1, 1-2, 2-0.
 std::array<double, 3> at_edges(double uu, double uv, double vv, const std::array<Vec2d, 3>& c) {
     std::array<double, 3> q{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -70,10 +70,10 @@ Certificate::Second Certificate::along(const Vec3d& direction) const {
     return {range(curvature_.uu), range(curvature_.uv), range(curvature_.vv)};
 }
 
-/// Bound on a coordinate of S - L where the corners lie on S: for second derivatives that do not
-/// vary it is the sum over edges of the corners' weights times the second derivative along the
-/// edge, halved. Their variation adds no more than the corners' spread about their mean, which is
-/// at most (width / 2)^2.
+/// A bound on a coordinate of S - L, where the corners lie on S. For constant second derivatives it
+/// is half of the sum, over all edges, of the product of both corners' weights times the second
+/// derivative along the edge. The variation of the second derivatives is multiplied by the variance
+/// of the corners' parameters, which is at most (width / 2)^2.
 double Certificate::chord(const Second& second, const std::array<Vec2d, 3>& at) {
     const auto q = at_edges(second.uu.mid, second.uv.mid, second.vv.mid, at);
     const auto up = [](double x) { return std::max(x, 0.0); };
@@ -86,14 +86,14 @@ double Certificate::chord(const Second& second, const std::array<Vec2d, 3>& at) 
 }
 
 bool Certificate::find_shift(double along_a, double along_b, Shift& shift) const {
-    // The slopes in the coordinates a, b are the identity but for this.
+    // Bounds on the difference of the slopes, in the coordinates a and b, from the identity.
     const auto off = [&](const Second& s) {
         return std::array{s.uu.largest() * reach_u_ + s.uv.largest() * reach_v_,
                           s.uv.largest() * reach_u_ + s.vv.largest() * reach_v_};
     };
     const auto [au, av] = off(a_);
     const auto [bu, bv] = off(b_);
-    // The smallest box that the fixed point map leads into itself: r = along + off r.
+    // The smallest box that the fixed point map maps into itself: r = along + off r.
     const double det = (1 - au) * (1 - bv) - av * bu;
     if (!(au < 1 && bv < 1 && det > 0)) return false;
     shift.u = ((1 - bv) * along_a + av * along_b) / det;
@@ -101,7 +101,7 @@ bool Certificate::find_shift(double along_a, double along_b, Shift& shift) const
     return shift.u <= margin_u_ && shift.v <= margin_v_;
 }
 
-/// What the shift does along N.
+/// A bound on the change along N that the shift causes.
 double Certificate::tilt(const Shift& shift) const {
     return (normal_.uu.largest() * reach_u_ + normal_.uv.largest() * reach_v_) * shift.u +
            (normal_.uv.largest() * reach_u_ + normal_.vv.largest() * reach_v_) * shift.v;

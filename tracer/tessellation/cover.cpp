@@ -10,19 +10,20 @@
 namespace lancer::splines {
 namespace {
 
-/// Times that a strip between a border and the grid is halved before a finer grid is tried.
+/// How often a strip between a border and the grid is halved before a finer grid is tried.
 constexpr int ring_limit = 6;
-/// The longest border that is tried without an inner vertex.
+/// The longest border for which a triangulation without inner vertices is tried.
 constexpr std::size_t polygon_limit = 40;
-/// Grids of fewer cells are thinned out as a whole: there the rim is most of it. In larger ones
-/// only what was added at the rim, and only where that is more than rim_share of the grid.
+/// In grids of fewer cells, vertices are removed everywhere, because most of the grid is rim. In
+/// larger grids only vertices that were added at the rim are removed, and only if they add more
+/// than rim_share to the grid's faces.
 constexpr std::size_t few_cells = 200;
 constexpr double rim_share = 0.25;
 
 using Index = std::uint32_t;
 
-/// A closed row of vertices around the patch, in four sides, counter-clockwise in (u, v) from the
-/// corner (0, 0). A side lists both its ends.
+/// A closed row of vertices around the patch, as four sides, counter-clockwise in (u, v) from the
+/// corner (0, 0). Each side contains both its ends.
 using Ring = std::array<std::vector<Index>, 4>;
 
 class Cover {
@@ -42,7 +43,7 @@ class Cover {
         }
         if (std::min(n.u, n.v) < 2) n = proved_grid(patch_, 2, 2);
         while (!join(outer, 0.0, grid(n), 1.0, n, 0)) {
-            // Rings of more vertices between border and grid; in the end a finer grid.
+            // First more vertices in the rings between border and grid; finally a finer grid.
             mesh_.vertices.resize(rim);
             mesh_.faces.clear();
             ring_density_ *= 1.5;
@@ -81,7 +82,8 @@ class Cover {
             const auto& [u1, v1] = corner[(k + 1) % 4];
             for (int i = 0; i < border_[k]; ++i) {
                 const Place<double> at(i, border_[k]);
-                // Not from the patch: for a neighbour it must have the same bits.
+                // Computed from the border curve, not from the patch: for the neighbour it must
+                // have the same bits.
                 const Vec3d point = i == 0 ? c[0] : cubic(c[0], c[1], c[2], c[3], at).first;
                 const Vec2d uv(u0 * at.rest + u1 * at.s, v0 * at.rest + v1 * at.s);
                 ring[k].push_back(add({uv, point, Vec3d(0)}));
@@ -95,7 +97,7 @@ class Cover {
         for (std::size_t k = 0; k < 4; ++k) ring[k].push_back(ring[(k + 1) % 4].front());
     }
 
-    /// The inside of the grid; returns the ring around it.
+    /// Adds the vertices and faces of the grid; returns the ring around them.
     Ring grid(const Grid& n) {
         const auto columns = static_cast<Index>(n.u - 1);
         const auto rows = static_cast<Index>(n.v - 1);
@@ -121,7 +123,7 @@ class Cover {
             ring[1].push_back(at(columns - 1, j));
             ring[3].push_back(at(0, rows - 1 - j));
         }
-        // The corners, also where a side has no other vertex.
+        // The corners, even where a side has no other vertex.
         ring[0].push_back(at(columns - 1, 0));
         ring[1].push_back(at(columns - 1, rows - 1));
         ring[2].push_back(at(0, rows - 1));
@@ -129,10 +131,10 @@ class Cover {
         return ring;
     }
 
-    /// Fills the space between two rings, or tells that it cannot: with further rings where one
-    /// strip would break the promise: near a border that is much straighter than the inside, step
-    /// by step. A ring at f lies at u = f/n, v = f/n from the border, so 0 is the border and 1 the
-    /// grid.
+    /// Fills the space between two rings. If the triangles of a single strip are not all proved,
+    /// inserts further rings between them; this happens near a border that is much straighter than
+    /// the inside. Returns false if it fails. A ring at f lies at u = f/n, v = f/n from the border,
+    /// so 0 is the border and 1 the grid.
     bool join(const Ring& outer, double f_outer, const Ring& inner, double f_inner, const Grid& n,
               int depth) {
         const std::size_t faces = mesh_.faces.size();
@@ -162,7 +164,7 @@ class Cover {
                join(middle, f, inner, f_inner, n, depth + 1);
     }
 
-    /// The triangles between two rows of one side; false when one breaks the promise.
+    /// Adds the triangles between two rows of one side; false if one of them is not proved.
     bool strip(const std::vector<Index>& outer, const std::vector<Index>& inner, std::size_t side) {
         const auto along = [&](Index vertex) {
             const Vec2d& c = mesh_.vertices[vertex].at;
@@ -172,7 +174,7 @@ class Cover {
             return along(row[i]) + along(row[i + 1]);
         };
         for (std::size_t i = 0, j = 0; i + 1 < outer.size() || j + 1 < inner.size();) {
-            // Which row goes on: the one behind, if that makes a triangle that keeps the promise.
+            // The row that lags behind advances, if that gives a proved triangle.
             bool outer_next = j + 1 == inner.size() ||
                               (i + 1 < outer.size() && middle(outer, i) <= middle(inner, j));
             const auto next = [&](bool by_outer) {

@@ -5,11 +5,12 @@
 
 namespace lancer::splines {
 
-/// Covers a patch by triangles that are proved to be near it: a uniform grid inside, rings of
-/// vertices between it and the border where needed, and what that has too many taken away again.
+/// Covers a patch by triangles that are proved to be near it: a uniform grid inside, and rings of
+/// vertices between the grid and the border where needed. Unnecessary vertices are then removed.
 ///
-/// \param border  steps of equal parameter along each side, counter-clockwise from the corner
-///     (0, 0), see border_steps(): what a neighbour needs as well
+/// \param border  number of equal parameter steps along each side, counter-clockwise from the
+/// corner
+///     (0, 0), see border_steps(); the patch on the other side of a border must have the same
 Triangulation cover(const NearPatch& patch, const std::array<int, 4>& border);
 
 }  // namespace lancer::splines

@@ -9,30 +9,30 @@ namespace lancer::splines {
 namespace {
 
 constexpr int most_steps = 1 << 20;
-constexpr int samples = 9;      ///< each way, for the guess
-constexpr double finer = 1.03;  ///< steps of the search for a grid with a proof
-constexpr double few = 100;     ///< cells up to which every grid is tried
+constexpr int samples = 9;      ///< in each direction, for the estimate
+constexpr double finer = 1.03;  ///< factor of the search for a proved grid
+constexpr double few = 100;     ///< up to this many cells, every grid is tried
 
 int ceiled(double x) {
     if (!(x > 1)) return 1;
     return x < most_steps ? static_cast<int>(std::ceil(x)) : most_steps;
 }
 
-/// Second derivatives along the normal at some places: what a chord error comes from.
+/// Second derivatives along the normal at some points, which cause chord errors.
 struct Bends {
     struct Bend {
         double uu, uv, vv;
     };
     std::vector<Bend> at;
 
-    /// Places without a normal are left out, where there are others: beside them a slide along the
-    /// surface is no distance either.
+    /// Points without a normal are left out if there are others: near them, too, differences along
+    /// the surface are no distance.
     explicit Bends(const Bicubic<double>& p) {
         const Curvature curvature(p);
         std::vector<Bend> without_normal;
         for (int i = 0; i < samples; ++i) {
             for (int j = 0; j < samples; ++j) {
-                // Near the border: there the derivatives are often largest.
+                // The outermost points lie near the border, where derivatives are often largest.
                 const double u = (i + 0.01) / (samples - 0.98);
                 const double v = (j + 0.01) / (samples - 0.98);
                 const PatchSample<double> s = sample(p, Place<double>(u), Place<double>(v));
@@ -52,7 +52,7 @@ struct Bends {
         if (at.empty()) at = std::move(without_normal);
     }
 
-    /// The largest chord error of cells du x dv, each halved the better way.
+    /// The largest chord error of cells du x dv, each halved by the better diagonal.
     double error(double du, double dv) const {
         double most = 0;
         for (const Bend& b : at) {
@@ -65,7 +65,8 @@ struct Bends {
     }
 };
 
-/// The smallest dv^-1 that goes with du, by halving the ratio; more than most_steps: none.
+/// The smallest number of steps in v that is enough together with steps_u, by bisection of the
+/// ratio. More than most_steps if there is none.
 double steps_v(const Bends& bends, double steps_u, double tolerance) {
     const auto fits = [&](double v) { return bends.error(1 / steps_u, 1 / v) <= tolerance; };
     double high = 1;
@@ -80,10 +81,10 @@ double steps_v(const Bends& bends, double steps_u, double tolerance) {
     return high;
 }
 
-/// Proves a grid, in as large parts as will do.
+/// Proves a grid, in parts that are as large as possible.
 class Proof {
   public:
-    /// \param failed  where other grids failed: looked at first, and added to
+    /// \param failed  points where other grids failed; tested first, and extended
     Proof(const NearPatch& patch, Grid& grid, std::vector<Vec2d>& failed)
         : patch_(patch), grid_(grid), failed_(failed) {}
 
@@ -102,7 +103,7 @@ class Proof {
     bool holds(int i0, int i1, int j0, int j1) {
         const double du = 1.0 / grid_.u;
         const double dv = 1.0 / grid_.v;
-        // The proof for a part worsens with its size; of a large one nothing is expected.
+        // The larger a part is, the weaker is its proof. Very large parts are not tried.
         if ((i1 - i0) * du <= 0.5 && (j1 - j0) * dv <= 0.5) {
             const Certificate part(patch_.points(), patch_.curvature(), i0 * du, i1 * du, j0 * dv,
                                    j1 * dv, du / 4, dv / 4);
@@ -159,7 +160,7 @@ class Proof {
 
 Grid likely_grid(const Bicubic<double>& p, double tolerance) {
     const Bends bends(p);
-    // Steps in u in ratios; the product is flat near its least, so this is near enough.
+    // Steps in u grow by a ratio. The product is flat near its minimum, so this is precise enough.
     double best = 0;
     Grid grid{most_steps, most_steps, {}};
     for (double u = 1; u <= most_steps; u = std::max(u + 1, u * 1.15)) {

@@ -6,16 +6,17 @@
 namespace lancer::splines {
 namespace {
 
-/// Halvings of a triangle's sides: few parts come as far, those whose distance is nearly the
-/// tolerance or whose feet leap.
+/// The largest number of halvings of a triangle's sides. Few parts need many: those whose distance
+/// is nearly the tolerance, and those at folds.
 constexpr int most_halvings = 10;
-/// Parts looked at before a triangle is given up.
+/// The number of parts after which the proof is given up.
 constexpr int most_parts = 200;
-/// Places tried for a foot. One that is not the nearest costs a proof, no truth.
+/// The number of points tried for a foot. A foot that is not the nearest point may make a proof
+/// fail, but never makes it wrong.
 constexpr int foot_steps = 8;
 
-/// The step to the nearest point if the patch were flat, in the free parameters (1 or 0 for each);
-/// along a border that it would cross.
+/// The step to the nearest point if the patch were flat, in the free parameters (1 or 0 for each).
+/// If the step would cross a border, it goes along the border.
 Vec2d step_to_foot(const PatchSample<double>& s, const Vec3d& way, const Vec2d& at,
                    const Vec2d& free) {
     const double uu = length_squared(s.du);
@@ -28,12 +29,12 @@ Vec2d step_to_foot(const PatchSample<double>& s, const Vec3d& way, const Vec2d& 
     const double det = uu * vv - uv * uv;
     if (!u_stays && !v_stays && det > 1e-8 * uu * vv)
         return {(vv * x - uv * y) / det, (uu * y - uv * x) / det};
-    // The shortest of the steps that do, where the slopes span no plane.
+    // If the slopes span no plane: the shortest of all steps to the nearest point.
     const double most = (u_stays ? 0 : uu) + (v_stays ? 0 : vv);
     return {u_stays ? 0 : x / most, v_stays ? 0 : y / most};
 }
 
-/// Whether the triangle lies in a ball of this radius about the foot of a corner.
+/// Whether the whole triangle lies in a ball of this radius about the foot of a corner.
 bool is_around_a_foot(const std::array<FootPoint, 3>& t, double radius) {
     return std::ranges::any_of(t, [&](const FootPoint& corner) {
         const Vec3d foot = corner.point + corner.off;
@@ -48,7 +49,7 @@ FootPoint FootPoint::on(const Bicubic<double>& p, const Vec2d& at) {
     return {at, sample(p, Place<double>(at.x), Place<double>(at.y)).point, Vec3d(0)};
 }
 
-/// Gauss-Newton steps, shortened where they lead away.
+/// Gauss-Newton steps, which are shortened if the distance grows.
 FootPoint NearPatch::with_foot(const Vec3d& point, const Vec2d& from, const Vec2d& free) const {
     FootPoint best{from, point, Vec3d(0)};
     double nearest = std::numeric_limits<double>::infinity();
@@ -72,8 +73,8 @@ FootPoint NearPatch::with_foot(const Vec3d& point, const Vec2d& from, const Vec2
     return best;
 }
 
-/// The middle of two points with its foot, sought from between theirs, also in one parameter only
-/// as along a border, or else from theirs.
+/// The middle of two points, with its foot. The search starts between both feet, in both parameters
+/// or in only one, as along a border; if that fails, it starts at each of the feet.
 FootPoint NearPatch::middle(const FootPoint& a, const FootPoint& b) const {
     const Vec3d point = (a.point + b.point) / 2.0;
     const Vec2d between = (a.at + b.at) / 2.0;
@@ -107,7 +108,7 @@ bool NearPatch::holds(const std::array<FootPoint, 3>& t, const Bends& around, in
     if (off > tolerance_) return false;
     const auto [u0, u1] = std::minmax({t[0].at.x, t[1].at.x, t[2].at.x});
     const auto [v0, v1] = std::minmax({t[0].at.y, t[1].at.y, t[2].at.y});
-    // The bounds of the whole hold for the part; to look closer would take longer than to halve.
+    // The bounds of the whole hold for a part. New bounds would take longer than a halving.
     const bool is_part =
         around.low.x <= u0 && u1 <= around.high.x && around.low.y <= v0 && v1 <= around.high.y;
     const Bends bends = is_part ? around : bends_over({u0, v0}, {u1, v1});

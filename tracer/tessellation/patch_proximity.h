@@ -1,4 +1,4 @@
-// A proof that a triangle lies near a patch, by the feet of its points.
+// A proof that a triangle lies near a patch, by the foot points of its points.
 #pragma once
 
 #include <array>
@@ -7,17 +7,17 @@
 
 namespace lancer::splines {
 
-/// A point with a place of the patch near it, its foot.
+/// A point with its foot, a point of the patch near it.
 struct FootPoint {
     Vec2d at;     ///< the foot's parameters
     Vec3d point;  ///< the point itself
-    Vec3d off;    ///< the foot less the point
+    Vec3d off;    ///< the foot minus the point
 
     /// A point of the patch is its own foot.
     static FootPoint on(const Bicubic<double>& p, const Vec2d& at);
 };
 
-/// A patch and how near to it triangles must be.
+/// A patch, and the tolerance within which triangles must lie near it.
 class NearPatch {
   public:
     NearPatch(const Bicubic<double>& points, double tolerance)
@@ -27,17 +27,18 @@ class NearPatch {
     const Curvature& curvature() const { return curvature_; }
     double tolerance() const { return tolerance_; }
 
-    /// Whether every point of the triangle is proved to be within the tolerance of the patch, as a
-    /// whole or in parts, by halving its sides again and again:
+    /// Whether every point of the triangle is proved to be within the tolerance of the patch. The
+    /// triangle is proved as a whole or in parts, by halving its sides repeatedly:
     ///
-    /// - A point with weights x, y, z is compared with the patch at this mean of the corners'
-    ///   feet. They differ by no more than the largest `off` and what the patch bends over the
-    ///   feet, see chord_error(); with every halving the bend falls to a quarter, and the new
-    ///   corners get feet of their own. So what is proved comes down to distances measured at
-    ///   points.
-    /// - Where feet leap, from one side of a fold to the other, a part lies in a ball about a foot.
+    /// - The point with barycentric coordinates x, y, z is compared with the patch at the same mean
+    ///   of the corners' feet. The difference is at most the largest `off` plus the chord error of
+    ///   the patch over the feet, see chord_error(). Each halving reduces the chord error to a
+    ///   quarter, and the new corners get their own feet. So finally only distances at points
+    ///   count.
+    /// - The feet of neighbouring points may lie on different sides of a fold. There a part of the
+    ///   triangle must lie in a ball about a foot.
     ///
-    /// What fails at one of the points fails at once.
+    /// If one of these points is too far away, the result is false at once.
     bool holds(const std::array<FootPoint, 3>& triangle) const;
 
   private:

@@ -15,7 +15,7 @@
 namespace lancer::splines {
 namespace {
 
-/// Adds a patch's triangles; its place in the net is for the texture coordinates.
+/// Adds a patch's triangles. Its row and column in the net give the texture coordinates.
 void add(const Triangulation& cover, const Bicubic<double>& p, std::size_t row, std::size_t column,
          const BezierNet& net, Mesh& mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -36,12 +36,12 @@ void add(const Triangulation& cover, const Bicubic<double>& p, std::size_t row, 
     }
 }
 
-/// A net in units of its size, in which squares of lengths stay in range.
+/// A net in units of its size, so that squares of lengths stay in the range of doubles.
 struct ScaledNet {
     BezierNet net;
-    int exponent;                     ///< the net's own points are these times 2^exponent
-    std::optional<double> tolerance;  ///< as given
-    double inside;  ///< the tolerance that holds: no finer than the points' own rounding
+    int exponent;                     ///< the original points are these times 2^exponent
+    std::optional<double> tolerance;  ///< the given one, scaled
+    double inside;  ///< the tolerance in use, not below the rounding errors of the points
 
     ScaledNet(const Patch& patch, std::optional<double> given) : net(bezier_net(patch)) {
         const double size = hull_diagonal(patch);
@@ -58,7 +58,7 @@ struct ScaledNet {
         return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
     }
 
-    /// Steps along each side.
+    /// Number of steps along each side.
     std::array<int, 4> border(const BezierPatch& p, const BorderTolerances* borders) const {
         std::array<int, 4> steps{};
         const auto curves = border_curves(p);
@@ -86,8 +86,8 @@ bool is_within_limit(const Patch& patch, std::optional<double> tolerance) {
     for (std::size_t i = 0; i < scaled.net.rows; ++i) {
         for (std::size_t j = 0; j < scaled.net.columns; ++j) {
             const BezierPatch p = scaled.net.patch(i, j);
-            // As if the whole patch were as curved as its worst part; looked at closely when in
-            // doubt.
+            // First as if the whole patch were as curved as its worst part; a better estimate
+            // follows only if that gives very many cells.
             double cells = chord_error(Curvature(p).largest_lengths(), 1, 1) / scaled.inside;
             if (!(2 * cells < 1e6)) {
                 const Grid n = likely_grid(p, scaled.inside);

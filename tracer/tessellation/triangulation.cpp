@@ -6,7 +6,7 @@
 namespace lancer::splines {
 namespace {
 
-/// A polygon's chains of vertices: whether each, closed by the line between its ends, can be
+/// The chains of vertices of a polygon: whether each, closed by the line between its ends, can be
 /// triangulated.
 class Chains {
   public:
@@ -24,7 +24,7 @@ class Chains {
         return *apex != none;
     }
 
-    /// After holds().
+    /// Appends the faces of a chain for which holds() was true.
     void collect(std::size_t from, std::size_t to, std::vector<Face>& faces) const {
         if (to - from < 2) return;
         const std::size_t apex = *apex_[from * polygon_.size() + to];
@@ -34,10 +34,10 @@ class Chains {
     }
 
   private:
-    static constexpr std::size_t none = 0;  ///< no inner vertex of a chain
+    static constexpr std::size_t none = 0;  ///< index 0 is never an inner vertex of a chain
 
     std::size_t find_apex(std::size_t from, std::size_t to) {
-        // From the middle outwards: rather fat triangles.
+        // From the middle outwards, which avoids thin triangles.
         const std::size_t middle = (from + to) / 2;
         for (std::size_t away = 0; away < to - from; ++away) {
             for (const std::size_t k : {middle - away, middle + away}) {
@@ -63,7 +63,7 @@ class Chains {
     std::vector<std::optional<std::size_t>> apex_;
 };
 
-/// A triangulation whose vertices know their faces.
+/// Removes vertices from a triangulation; it keeps the faces at each vertex.
 class Thinning {
   public:
     Thinning(const NearPatch& patch, Triangulation& mesh)
@@ -74,7 +74,7 @@ class Thinning {
     }
 
     void run(std::size_t first) {
-        // Whether something around the vertex has changed since it was tried.
+        // Whether the faces around the vertex have changed since it was tried last.
         std::vector<bool> is_new(mesh_.vertices.size(), true);
         for (bool changed = true; changed;) {
             changed = false;
@@ -95,7 +95,7 @@ class Thinning {
   private:
     static constexpr Face gone{0, 0, 0};
 
-    /// The other corners of a face, from v on.
+    /// The other two corners of a face, in order after v.
     std::pair<std::uint32_t, std::uint32_t> others(std::uint32_t face, std::uint32_t v) const {
         const Face& f = mesh_.faces[face];
         return f[0] == v   ? std::pair(f[1], f[2])
@@ -103,7 +103,7 @@ class Thinning {
                            : std::pair(f[0], f[1]);
     }
 
-    /// Those of an inner vertex, counter-clockwise.
+    /// The neighbours of an inner vertex, counter-clockwise.
     std::vector<std::uint32_t> neighbours(std::uint32_t v) const {
         const auto& faces = faces_at_[v];
         std::vector<std::uint32_t> around;
@@ -116,7 +116,7 @@ class Thinning {
         return around;
     }
 
-    /// Takes v away; the filling has two faces fewer than it had.
+    /// Removes v. The filling has two faces fewer than v had.
     void replace(std::uint32_t v, const std::vector<Face>& filling) {
         const std::vector<std::uint32_t> old = faces_at_[v];
         for (const auto f : old) {
