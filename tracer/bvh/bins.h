@@ -1,4 +1,4 @@
-// The surface-area heuristic over bins. Wald, "On fast Construction of SAH-based Bounding Volume
+// The surface-area heuristic with bins. Wald, "On fast Construction of SAH-based Bounding Volume
 // Hierarchies", RT 2007.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace lancer::bvh_detail {
 
 constexpr std::size_t bins = 16;
 
-/// To which bin of each axis a box belongs, by its centre.
+/// The bin of a box on each axis, by its centre.
 template <class Number>
 class Binning {
   public:
@@ -23,7 +23,7 @@ class Binning {
         scale_ = Four<Number>(scale);
     }
 
-    /// What is no number, or beyond the last bin by rounding, goes to a bin like any other.
+    /// NaNs, and numbers that rounding puts beyond the last bin, are clamped to a bin.
     std::array<Number, 4> operator()(const MovingBox<Number>& box) const {
         const Four<Number> place = (box.center() - from_) * scale_;
         return smaller(larger(place, Four<Number>(Number(0))), Four<Number>(Number(bins - 1)))
@@ -37,9 +37,9 @@ class Binning {
 
 /// A plane between two bins.
 struct Plane {
-    std::size_t axis = 3;  ///< 3: none separates anything
-    std::size_t last = 0;  ///< the last bin on its left
-    std::uint32_t left = 0;
+    std::size_t axis = 3;    ///< 3: no plane separates anything
+    std::size_t last = 0;    ///< the last bin on its left
+    std::uint32_t left = 0;  ///< number of boxes on its left
 
     bool exists() const { return axis < 3; }
     template <class Number>
@@ -48,8 +48,8 @@ struct Plane {
     }
 };
 
-/// Boxes and numbers of what is in each bin, for all axes at once. Most bins of a small part are
-/// empty, so they are neither cleared nor looked at.
+/// For each bin of all axes the hull and the number of its boxes. Most bins of a small part are
+/// empty; these are neither cleared nor visited.
 template <class Number>
 class Bins {
   public:
@@ -134,7 +134,7 @@ class Bins {
         }
     }
 
-    // No numbers where no bit says that the bin is filled.
+    // Uninitialised unless the bin's bit in filled_ is set.
     MovingBox<Number> box_[3][bins];
     std::uint32_t count_[3][bins];
     unsigned filled_[3] = {};

@@ -1,4 +1,4 @@
-// The builder's body; included by the files that instantiate build_bvh.
+// The implementation of build_bvh(). Only the files that instantiate it include it.
 #pragma once
 
 #include "tracer/bvh/split.h"
@@ -6,8 +6,8 @@
 namespace lancer {
 namespace bvh_detail {
 
-/// The upper part of the tree is cut part by part, each by all threads; what is left below it is
-/// built subtree by subtree, each by one thread. Nodes are numbered as one thread alone would.
+/// All threads together split the parts of the upper tree, one part after the other. The subtrees
+/// below are built by one thread each. The nodes get the same numbers as with a single thread.
 template <class Real>
 class Builder {
   public:
@@ -32,7 +32,7 @@ class Builder {
             for (int i = 0; next(i);)
                 build(subtrees_[static_cast<std::size_t>(i)], below[static_cast<std::size_t>(i)]);
         });
-        for (auto& side : boxes_) side.reset();  // as large as what numbering copies
+        for (auto& side : boxes_) side.reset();  // frees memory for the copies that number() makes
         number(0, below, nodes);
     }
 
@@ -45,7 +45,7 @@ class Builder {
         std::array<Part<Number>, width> part;
         std::size_t count = 0;
     };
-    /// Two-way splits of the largest parts until there are enough.
+    /// Splits the largest part in two until there are enough parts.
     Children children_of(const Part<Number>& whole, int threads) {
         Children c;
         c.part[c.count++] = whole;
@@ -64,7 +64,7 @@ class Builder {
         return c;
     }
 
-    /// A node with its boxes and its leaves; children that are nodes have no number yet.
+    /// A node with its boxes and its leaves. Children that are nodes get their numbers later.
     Node node_over(const Children& children) {
         Node node;
         for (std::size_t c = 0; c < width; ++c) {
@@ -87,7 +87,7 @@ class Builder {
     }
     bool is_leaf(const Part<Number>& part) const { return part.count <= leaf_size_; }
 
-    /// Appends the node over `part` and all below it; returns its index.
+    /// Appends the node over `part` and all nodes below it; returns its index.
     std::uint32_t build(const Part<Number>& part, Nodes& nodes) {
         const Children children = children_of(part, 1);
         const auto index = static_cast<std::uint32_t>(nodes.size());
@@ -100,7 +100,7 @@ class Builder {
         return index;
     }
 
-    /// A node of the upper part. What is below each child: another such node, or a subtree.
+    /// A node of the upper tree. Below each child is another such node, a subtree, or a leaf.
     struct Top {
         Node node;
         struct Below {

@@ -1,9 +1,9 @@
-// What the builder of trees moves: boxes that carry the number of their item along.
+// The boxes that the tree builder moves; each contains the number of its item.
 //
-// Each pass over a part of the tree reads its boxes from one end to the other. Were they looked up
-// by their items' numbers, every one would be a miss of the cache, level after level. They have the
-// number type of the nodes, rounded outwards: half the memory for a tree in double, and nothing
-// lost, because a node holds no more digits.
+// Each pass over a part of the tree reads its boxes in the order of memory. If boxes were found by
+// the numbers of their items, each access would miss the cache, on every level. The boxes have the
+// number type of the nodes, rounded outwards. This halves the memory for a tree in double, and
+// loses nothing, because nodes have no more digits.
 #pragma once
 
 #include <bit>
@@ -17,7 +17,7 @@
 
 namespace lancer {
 
-/// The largest number of the boxes' type that is not above x.
+/// The largest number of the boxes' type that is at most x.
 template <class Real>
 BoxNumber<Real> at_most_as_large(Real x) {
     using Number = BoxNumber<Real>;
@@ -26,7 +26,7 @@ BoxNumber<Real> at_most_as_large(Real x) {
         return rounded;
     } else {
         if (!(static_cast<Real>(rounded) > x)) return rounded;
-        // The next one below: the bits of a float count in steps of its last place.
+        // The next number below: as integers, the bits of floats count units in the last place.
         if (rounded == 0) return -std::numeric_limits<Number>::denorm_min();
         const auto bits = std::bit_cast<std::uint32_t>(rounded);
         return std::bit_cast<Number>(rounded > 0 ? bits - 1 : bits + 1);
@@ -35,14 +35,15 @@ BoxNumber<Real> at_most_as_large(Real x) {
 
 namespace bvh_detail {
 
-/// Three coordinates of each corner. The fourth numbers are the item's, in two halves that even a
-/// float holds, so that a box is 32 bytes of float and goes through vectors whole.
+/// The first three numbers of each array are coordinates of a corner. The fourth numbers are the
+/// two halves of the item's number, which are exact even in float. So a box in float has 32 bytes,
+/// and vector instructions can move it as a whole.
 template <class Number>
 struct MovingBox {
     std::array<Number, 4> low;
     std::array<Number, 4> high;
 
-    MovingBox() = default;  // no numbers: memory that a split writes to needs none
+    MovingBox() = default;  // uninitialised: for memory that a split writes to
     template <class Real>
     MovingBox(const Bounds<Real>& box, std::uint32_t item) {
         for (int i = 0; i < 3; ++i) {
@@ -56,15 +57,16 @@ struct MovingBox {
     std::uint32_t item() const {
         return static_cast<std::uint32_t>(low[3]) | static_cast<std::uint32_t>(high[3]) << 16;
     }
-    /// Twice the centre: the factor changes no order.
+    /// Twice the centre; the factor does not change any order.
     Four<Number> center() const { return Four<Number>(low) + Four<Number>(high); }
 };
 
-/// Of boxes in float in double: small boxes among large ones have squares that float does not.
+/// The type of areas. For boxes in float it is double, because the squares of small boxes among
+/// large ones underflow float.
 template <class Number>
 using Area = std::conditional_t<(sizeof(Number) < sizeof(double)), double, Number>;
 
-/// What holds some boxes or points. The fourth numbers mean nothing.
+/// The bounds of some boxes or points. The fourth numbers have no meaning.
 template <class Number>
 struct Hull {
     Four<Number> low{std::numeric_limits<Number>::infinity()};
@@ -79,7 +81,7 @@ struct Hull {
         extend(Four<Number>(box.low), Four<Number>(box.high));
     }
 
-    /// Half the surface: what the surface-area heuristic compares.
+    /// Half the surface area, as the surface-area heuristic compares it.
     Area<Number> half_area() const {
         const std::array<Number, 4> side = (high - low).numbers();
         const auto d = [&](std::size_t axis) { return static_cast<Area<Number>>(side[axis]); };
@@ -93,11 +95,12 @@ struct Hull {
     }
 };
 
-/// The boxes twice: a split reads from one side and writes to the same places of the other.
+/// Two arrays of boxes: a split reads from one and writes to the same range of the other.
 template <class Number>
 using BothSides = std::array<std::unique_ptr<MovingBox<Number>[]>, 2>;
 
-/// Boxes that lie together on one of both sides, and belong below one child of a node.
+/// A contiguous range of boxes in one of the two arrays (`side`), which belong below one child of a
+/// node.
 template <class Number>
 struct Part {
     std::uint32_t first = 0;
@@ -105,7 +108,7 @@ struct Part {
     int depth = 0;
     std::size_t side = 0;
     Hull<Number> box{};
-    Hull<Number> centers{};  ///< of their centers()
+    Hull<Number> centers{};  ///< bounds of their center()s
 };
 
 }  // namespace bvh_detail

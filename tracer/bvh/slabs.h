@@ -1,11 +1,11 @@
-// A ray as the tests of boxes see it, and the test: which boxes of a node it may meet.
+// The test which boxes of a node a ray may meet, and the ray prepared for it.
 //
-// Where boxes are coarser than the ray's numbers (float for double), the ray's start is first moved
-// to where it enters the box of the whole tree, in the ray's own numbers, so that what is rounded
-// to the coarser type is of the tree's size, however far away the ray began. Then each coordinate
-// of the start is rounded up for the one and down for the other side of a box, such that the
-// stretch between the two planes only grows. What is left are roundings relative to a distance, and
-// those are covered as in Ize, "Robust BVH Ray Traversal", JCGT 2(2) 2013.
+// Boxes may have a coarser number type than the ray (float for double). Then the ray's start is
+// first moved, in the ray's own number type, to the point where it enters the box of the whole
+// tree. So numbers that are rounded to the coarser type have the size of the tree, even if the ray
+// starts far away. Each coordinate of the start is rounded up for one side of a box and down for
+// the other, so that the interval between the two planes only grows. The remaining errors are
+// relative to a distance, and are covered as in Ize, "Robust BVH Ray Traversal", JCGT 2(2) 2013.
 #pragma once
 
 #include <cmath>
@@ -16,8 +16,8 @@
 
 namespace lancer {
 
-/// A number no larger than x: below the nearest one by at least a unit in the last place, which is
-/// at most 2^-23 of it (2^-149 where it is subnormal).
+/// A float that is at most x: below the float nearest to x by at least a unit in the last place,
+/// which is at most 2^-23 of it (2^-149 if it is subnormal).
 inline float clearly_below(double x) {
     const auto f = static_cast<float>(x);
     return f - (std::abs(f) * 0x1p-23F + std::numeric_limits<float>::denorm_min());
@@ -26,29 +26,29 @@ inline float clearly_above(double x) {
     return -clearly_below(-x);
 }
 
-/// A ray for the pairs of planes across one axis.
+/// A ray, prepared for the pairs of planes perpendicular to one axis.
 template <class Number>
 struct SlabRay {
-    Number enter_origin, leave_origin;    ///< the start, for the planes met first and last
+    Number enter_origin, leave_origin;    ///< the start, for the near and for the far plane
     Number enter_inverse, leave_inverse;  ///< 1 / direction
     bool negative;                        ///< the direction's sign
 
-    /// The start is hi + lo, the tests take hi alone. As |lo| <= u |hi|, that is within what the
-    /// box is `widened` by next to the plane, and far from the plane lo changes the distance by 2 u
-    /// of itself.
+    /// The start is hi + lo, but the tests use only hi. Near the plane, |lo| <= u |hi| is less than
+    /// the amount by which boxes are `widened`. Far from the plane, lo changes the distance by a
+    /// relative 2 u.
     static SlabRay of(Number origin, Number inverse) {
         using std::signbit;
         return {origin, origin, inverse, inverse, signbit(inverse)};
     }
 };
 
-/// How the parameters of a ray look to the tests of boxes: (t - start) * scale.
+/// A ray, prepared for box tests. These use the parameter (t - start) * scale in place of t.
 template <class Real>
 class BoxRay {
   public:
     using Number = BoxNumber<Real>;
 
-    /// \param bounds  of the whole tree
+    /// \param bounds  those of the whole tree
     BoxRay(const Bounds<Real>& bounds, const Ray<Real>& ray, Real t_min, Real limit) {
         if constexpr (std::is_same_v<Number, Real>) {
             for (int i = 0; i < 3; ++i) slabs[i] = SlabRay<Real>::of(ray.origin[i], ray.inv_dir[i]);
@@ -58,15 +58,15 @@ class BoxRay {
         }
     }
 
-    bool misses = false;  ///< the ray meets no box of the tree
+    bool misses = false;  ///< the ray misses the box of the whole tree
     Number first = 0;     ///< where the search begins
     SlabRay<Number> slabs[3];
 
-    /// A bound on this parameter from above.
+    /// An upper bound on the parameter t, as box tests use it.
     Number parameter(Real t) const {
         if constexpr (std::is_same_v<Number, Real>) {
             return t;
-        } else {  // the difference errs by u of both
+        } else {  // the error of the difference is u of both
             const Real error = gamma<Real>(2) * (std::abs(t) + std::abs(start_));
             return clearly_above(((t - start_) + error) * scale_);
         }
@@ -91,8 +91,8 @@ class BoxRay {
         for (int i = 0; i < 3; ++i) {
             const Real way = start_ * ray.dir[i];
             const Real at = ray.origin[i] + way;
-            // Two roundings, and the low part of the start; then that of the coarser type, and of
-            // the sums below.
+            // `error`: two roundings, and the low part of the start. `pad` adds the rounding to the
+            // coarser type and those of the sums below.
             const Real error = gamma<Real>(4) * (std::abs(ray.origin[i]) + std::abs(way));
             const float pad = clearly_above(Real(0x1p-22) * std::abs(at) + error);
             const float coarse = static_cast<float>(at);
@@ -105,7 +105,7 @@ class BoxRay {
     }
 
     void set_inverses(const Vec3<Real>& inverse) {
-        // Rays in an object's own space have directions of any length.
+        // In an object's own space, directions may be very long or short.
         const Vec3<Real> size = absolute(inverse);
         const Real least = std::min(size.x, std::min(size.y, size.z));
         if (!(least > Real(0x1p-20) && least < Real(0x1p20)) && least > 0 && std::isfinite(least))
@@ -115,7 +115,8 @@ class BoxRay {
             const auto rounded = static_cast<float>(exact);
             slabs[i].leave_inverse = rounded;
             slabs[i].enter_inverse = rounded;
-            // Too large for the type, but no division by 0: the nearer plane must stay near.
+            // 1 / direction overflows float although the direction is not 0: the largest float
+            // instead of infinity does not put the nearer plane too far.
             if (std::isinf(rounded) && std::isfinite(inverse[i]))
                 slabs[i].enter_inverse = std::copysign(std::numeric_limits<float>::max(), rounded);
         }
@@ -125,9 +126,8 @@ class BoxRay {
     Real scale_ = 1;
 };
 
-/// Cuts the parameters between `near` and `far` down to those between the planes of each of the
-/// boxes that are perpendicular to `axis`. NaN (0 times infinity, a ray in a face of the box)
-/// loses every comparison and keeps the box.
+/// Clips the intervals [near, far] to the slabs between the boxes' planes perpendicular to `axis`.
+/// NaN (0 times infinity, for a ray in a face of the box) loses every comparison and keeps the box.
 template <class Real>
 [[gnu::always_inline]] inline void cut_to_slabs(const BvhNode<Real>& node, std::size_t axis,
                                                 const SlabRay<BoxNumber<Real>>& ray,
@@ -140,9 +140,9 @@ template <class Real>
                   far);
 }
 
-/// Far distances are multiplied by it, after the minimum, which it commutes with: Ize (above), with
-/// two more roundings for the low part of the origin. In the coarser type they cover that of the
-/// inverse.
+/// Far distances are multiplied by this factor, after the minimum, with which it commutes: Ize
+/// (above), with two more roundings for the low part of the origin. In the coarser type these two
+/// cover the rounding of the inverse.
 template <class Number>
 inline constexpr Number far_factor = 1 + 2 * gamma<Number>(5);
 

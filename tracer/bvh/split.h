@@ -1,4 +1,4 @@
-// Cutting a part of the tree in two, by one thread or by several with the same result.
+// Splits a part of the tree in two, by one thread or by several, with the same result.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace lancer::bvh_detail {
 
-constexpr std::uint32_t parallel_boxes = 1 << 16;  ///< smaller parts are cut by one thread
+constexpr std::uint32_t parallel_boxes = 1 << 16;  ///< one thread splits smaller parts
 
-/// Two passes over the boxes: one counts them into bins, the other writes those of each side of the
-/// best plane to their place on the other side of the memory. What is left of the plane keeps its
-/// order, as does what is right of it; so several threads can each take a stretch and know from its
-/// bins where its boxes go.
+/// A split makes two passes over the boxes. The first one counts them into bins. The second one
+/// writes the boxes on each side of the best plane to their places in the other array. Boxes on
+/// each side keep their order. So several threads can each process a range, and the bins of the
+/// ranges tell where its boxes go.
 template <class Number>
 class Splitter {
   public:
@@ -23,7 +23,7 @@ class Splitter {
 
     explicit Splitter(BothSides<Number>& boxes) : boxes_(boxes) {}
 
-    /// Splits where the heuristic says, or in the middle. `part.count` >= 2.
+    /// Splits at the heuristic's best plane, or at the median. `part.count` >= 2.
     Cut operator()(const Part<Number>& part, int threads) {
         if (part.depth < bvh_sah_levels) {
             const Binning<Number> binning(part.centers);
@@ -48,7 +48,7 @@ class Splitter {
 
   private:
     struct Stretch {
-        std::uint32_t first, end;  ///< within the part
+        std::uint32_t first, end;  ///< range within the part
     };
 
     void count(const Part<Number>& part, const Binning<Number>& binning, std::uint32_t first,
@@ -57,7 +57,7 @@ class Splitter {
         for (std::uint32_t i = first; i < end; ++i) counted.add(box[i], binning(box[i]));
     }
 
-    /// Writes a stretch's boxes from `left` and from `right` on.
+    /// Writes a range's boxes to the other array, from `left` and from `right` on.
     void move(const Part<Number>& part, const Binning<Number>& binning, const Plane& plane,
               const Stretch& stretch, std::uint32_t left, std::uint32_t right,
               Hull<Number>& left_centers, Hull<Number>& right_centers) {
@@ -131,7 +131,7 @@ class Splitter {
         return cut;
     }
 
-    /// Where no plane separates anything: the median along the longest axis.
+    /// If no plane separates anything: splits at the median along the longest axis.
     Cut halves(const Part<Number>& part) {
         const std::array<Number, 4> extent = (part.centers.high - part.centers.low).numbers();
         std::size_t axis = extent[0] > extent[1] ? 0 : 1;
@@ -140,7 +140,7 @@ class Splitter {
         const std::uint32_t left = part.count / 2;
         const auto place = [axis](const MovingBox<Number>& b) {
             const Number center = b.low[axis] + b.high[axis];
-            return center == center ? center : Number(0);  // endless both ways: no number
+            return center == center ? center : Number(0);  // NaN if infinite in both directions
         };
         std::nth_element(box, box + left, box + part.count,
                          [&](const MovingBox<Number>& a, const MovingBox<Number>& b) {

@@ -1,4 +1,4 @@
-// How a ray goes through the tree.
+// The traversal of the tree by a ray.
 #pragma once
 
 #include <bit>
@@ -8,8 +8,8 @@
 namespace lancer {
 
 /// Visits the leaves that the ray may meet at a parameter in [t_min, limit()], near ones first.
-/// `leaf(first, count)` gets a range of `order`; it returns true to end the traversal. `limit()`
-/// may shrink when a leaf is visited.
+/// leaf(first, count) receives a range of `order`; it returns true to end the traversal. limit()
+/// may decrease when a leaf is visited.
 template <class Real, class Limit, class Leaf>
 void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& limit, Leaf&& leaf) {
     if (bvh.nodes.empty()) return;
@@ -42,9 +42,9 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
                 met &= met - 1;
                 return Waiting{node.child[c], node.count[c], near[c]};
             };
-            // NaN keeps empty slots, too: they are the last ones.
+            // NaN keeps empty slots as well; these are the last ones.
             if (met != 0 && (item = next_met()).child != none) {
-                // Insertion sort, farthest first, straight into the stack; the nearest stays out.
+                // Insertion sort into the stack, farthest first. The nearest child is visited next.
                 const std::size_t base = top;
                 while (met != 0) {
                     Waiting other = next_met();

@@ -1,4 +1,4 @@
-// A few numbers side by side.
+// A few numbers side by side (SIMD).
 #pragma once
 
 #ifdef __SSE2__
@@ -13,9 +13,9 @@
 
 namespace lancer {
 
-/// Computed with together where the processor has vectors of 16 bytes for the number type
-/// (compilers do not find them in loops with comparisons), one by one elsewhere; the same numbers
-/// either way.
+/// If the processor has vectors of 16 bytes for the number type, operations use them; otherwise
+/// they go number by number. The results are the same. (Compilers do not vectorise loops with
+/// comparisons.)
 template <class Real, std::size_t count>
 class Lanes {
     static constexpr bool has_vectors =
@@ -65,13 +65,13 @@ class Lanes {
         for (std::size_t i = 0; i < parts; ++i) a.part_[i] = a.part_[i] * b.part_[i];
         return a;
     }
-    /// a where a > b, else b: b also where one of them is not a number.
+    /// a where a > b, else b; so b if one of them is NaN.
     friend Lanes larger(Lanes a, const Lanes& b) {
         for (std::size_t i = 0; i < parts; ++i)
             a.part_[i] = a.part_[i] > b.part_[i] ? a.part_[i] : b.part_[i];
         return a;
     }
-    /// a where a < b, else b: b also where one of them is not a number.
+    /// a where a < b, else b; so b if one of them is NaN.
     friend Lanes smaller(Lanes a, const Lanes& b) {
         for (std::size_t i = 0; i < parts; ++i)
             a.part_[i] = a.part_[i] < b.part_[i] ? a.part_[i] : b.part_[i];
@@ -117,7 +117,7 @@ using Two = Lanes<Real, 2>;
 template <class Real>
 using Four = Lanes<Real, 4>;
 
-/// a - b, formed in the wider type and rounded once.
+/// a - b, computed in double and rounded once.
 inline Four<float> narrowed_difference(const Four<float>& a, double b) {
     typedef float Narrow __attribute__((vector_size(16)));
     typedef double Wide __attribute__((vector_size(32)));

@@ -1,4 +1,4 @@
-// Factors that are powers of two: multiplying by them rounds nothing.
+// Powers of two. Multiplying by them does not round.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace lancer {
 
-/// k such that 2^k extent lies in [0.5, 1); 0 for 0 and for what is not finite.
+/// k such that 2^k extent lies in [0.5, 1); 0 for 0, infinity and NaN.
 inline int exponent_for(double extent) {
     if (!(extent > 0) || !std::isfinite(extent)) return 0;
     int exponent = 0;

@@ -1,6 +1,6 @@
-// Floating point made explicit: unit roundoff, exact sums and products, error-free helpers.
-// No tolerance of the tracer is a constant: all are multiples of the unit roundoff times sizes that
-// occur in the computation whose rounding they bound.
+// Explicit floating point: unit roundoff, exact sums and products, error bounds.
+// No tolerance of the tracer is a constant. Each is a multiple of the unit roundoff times sizes
+// that occur in the computation whose rounding error it bounds.
 #pragma once
 
 #include <cmath>
@@ -11,12 +11,12 @@
 
 namespace lancer {
 
-/// u: half the distance from 1 to the next number. Every rounded operation errs by at most a factor
-/// 1 + u.
+/// u: half the distance from 1 to the next number. The relative error of every rounded operation is
+/// at most u.
 template <class Real>
 inline constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
-/// For what is worked out once, before the first ray: no narrower than `long double`.
+/// The type for values that are computed once, before the first ray: at least `long double`.
 template <class Real>
 using Wide = std::conditional_t<(std::numeric_limits<Real>::digits >
                                  std::numeric_limits<long double>::digits),
@@ -54,8 +54,9 @@ DoubleWord<Real> two_product(Real a, Real b) {
     return {p, fma(a, b, -p)};
 }
 
-/// The sign of a b - c d is exact, and swapping the two products flips it exactly, which triangles
-/// that share an edge rely on. The value is that of the rounded products unless they are equal.
+/// a b - c d with the exact sign. Swapping the two products changes exactly the sign, on which
+/// triangles with a common edge rely. The value is the difference of the rounded products, unless
+/// these are equal.
 template <class Real>
 Real signed_difference_of_products(Real a, Real b, Real c, Real d) {
     const Real ab = a * b;
@@ -74,7 +75,7 @@ Real chord_error(Real w, Real x, Real root) {
     return x > 4 * w ? Real(0.54) * w / root : sqrt(w);
 }
 
-/// A vector as an unevaluated sum: places keep the digits that one rounding would take from them.
+/// A vector as an unevaluated sum. So points keep the digits that one rounding would remove.
 template <class Real>
 struct DoubleWordVector {
     Vec3<Real> hi;
@@ -90,7 +91,7 @@ template <class Real>
     return {{x.hi, y.hi, z.hi}, {x.lo, y.lo, z.lo}};
 }
 
-/// The same sum with |lo| <= u |hi| in each component.
+/// The same sum, with |lo| <= u |hi| in each component.
 template <class Real>
 [[gnu::always_inline]] inline DoubleWordVector<Real> normalized(const Vec3<Real>& hi,
                                                                 const Vec3<Real>& lo) {
@@ -98,19 +99,19 @@ template <class Real>
     return two_sum(hi, lo);
 }
 
-/// Whether a type that the processor computes with as fast holds a sum of two of these numbers: so
-/// exact differences cost little more than plain ones.
+/// Whether there is a wider type that is about as fast and holds the sum of two numbers of this
+/// type. Exact differences then cost little more than plain ones.
 template <class Real>
 inline constexpr bool has_fast_wider = std::is_same_v<Real, float>;
 
-/// (hi + lo) - point, the exact difference rounded once, to within u^2. So it is the same wherever
-/// both stand, as long as their coordinates are representable there.
+/// (hi + lo) - point: the exact difference rounded once, up to u^2. So it does not change when both
+/// are translated, as long as their coordinates stay representable.
 template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> difference(const Vec3<Real>& hi, const Vec3<Real>& lo,
                                                     const Vec3<Real>& point) {
     if constexpr (has_fast_wider<Real>) {
-        // The same as the plain difference where `lo` is 0: what the wider type loses of numbers of
-        // so different sizes does not reach the last digit of the narrower one.
+        // If `lo` is 0, this equals the plain difference: where numbers of very different sizes
+        // lose digits in the wider type, the loss does not reach the last digit of the narrower.
         return Vec3<Real>((Vec3<double>(hi) + Vec3<double>(lo)) - Vec3<double>(point));
     } else {
         const DoubleWordVector<Real> d = two_sum(hi, -point);

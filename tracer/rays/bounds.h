@@ -1,4 +1,4 @@
-// Axis-aligned boxes that hold what they claim to hold, rounding included.
+// Axis-aligned bounding boxes that are conservative under rounding.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-/// Empty as constructed: every union and extension works on it.
+/// A box is empty at first. It can then be extended.
 template <class Real>
 struct Bounds {
     Vec3<Real> min{std::numeric_limits<Real>::infinity()};
@@ -26,7 +26,7 @@ struct Bounds {
             if (b.max[i] > max[i]) max[i] = b.max[i];
         }
     }
-    /// The largest size of a coordinate.
+    /// The largest absolute coordinate.
     Real reach() const {
         const Real low = max_component(absolute(min));
         const Real high = max_component(absolute(max));
@@ -43,15 +43,15 @@ bool is_empty(const Bounds<Real>& b) {
     return !(b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z);
 }
 
-/// Half the surface: what the surface-area heuristic compares.
+/// Half the surface area, as the surface-area heuristic compares it.
 template <class Real>
 Real half_area(const Bounds<Real>& b) {
     const Vec3<Real> d = b.max - b.min;
     return d.x < 0 ? Real(0) : d.x * d.y + d.y * d.z + d.z * d.x;
 }
 
-/// Grown by a few roundings of its coordinates and of its size: the box of a computed surface then
-/// holds the exact one, and a ray that starts on the surface is not shut out by a last bit.
+/// The box enlarged by a few rounding errors of its coordinates and of its size. So the box of a
+/// computed surface contains the exact one, and a ray that starts on the surface meets the box.
 template <class Real>
 Bounds<Real> widened(Bounds<Real> b) {
     using std::abs;
@@ -67,7 +67,7 @@ Bounds<Real> widened(Bounds<Real> b) {
     return b;
 }
 
-/// Bounds of the sphere around `center` that is stretched to the half-axes in `reach`.
+/// The box with this centre and these half extents.
 template <class Real>
 Bounds<Real> around(const Vec3<Real>& center, const Vec3<Real>& reach) {
     Bounds<Real> b;

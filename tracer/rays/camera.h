@@ -1,4 +1,4 @@
-// Pixels to rays.
+// From pixels to rays.
 #pragma once
 
 #include <numbers>
@@ -8,26 +8,25 @@
 
 namespace lancer {
 
-/// A camera in the compiled world. A pixel's place is given as shares (sx, sy) of the picture's
-/// width and height from its centre, sx to the right, sy up.
+/// A camera in the compiled world. A point of the picture is given by (sx, sy), its distance from
+/// the centre as shares of the picture's width and height, sx to the right and sy up.
 template <class Real>
 struct CameraFrame {
     Vec3<Real> position;
     Vec3<Real> forward;  ///< unit
-    Vec3<Real>
-        right;      ///< of the picture's whole width, at distance 1 (perspective) or in world units
-    Vec3<Real> up;  ///< of its whole height
+    Vec3<Real> right;  ///< the picture's whole width, at distance 1 (perspective) or in world units
+    Vec3<Real> up;     ///< the picture's whole height
     bool orthographic;
-    /// How far before the camera, along `forward`, rays have their origin: see far_camera.h.
+    /// Distance of the rays' origins from the camera, along `forward`: see far_camera.h.
     Real ahead = 0;
-    DoubleWordVector<Real> origin{};  ///< that of the middle ray, where `ahead` is not 0
+    DoubleWordVector<Real> origin{};  ///< the origin of the central ray, if `ahead` is not 0
 };
 
-/// A place of the scene in world coordinates.
+/// A point of the scene in world coordinates.
 template <class Real>
 Vec3<Real> world_place(const Vec3d& p, int scale_exponent) {
     using std::ldexp;
-    // Widened first: neither a float's range nor a double's may be left on the way.
+    // In long double, so that intermediate results stay in range.
     const Vec3<long double> q = convert<long double>(p);
     return {static_cast<Real>(ldexp(q.x, scale_exponent)),
             static_cast<Real>(ldexp(q.y, scale_exponent)),
@@ -42,7 +41,7 @@ CameraFrame<Real> make_camera_frame(const Camera& camera, int width, int height,
     camera_frame.position = world_place<Real>(camera.position, scale_exponent);
     const Vec3<Real> view =
         world_place<Real>(camera.look_at, scale_exponent) - camera_frame.position;
-    // Divided by their largest component first, so that no length overflows or vanishes.
+    // Divided by their largest component first, so that no length overflows or underflows.
     camera_frame.forward = normalize(view / max_component(absolute(view)));
     const Vec3<Real> sky = convert<Real>(camera.up / max_component(absolute(camera.up)));
     const Vec3<Real> side = cross(camera_frame.forward, normalize(sky));
@@ -62,7 +61,7 @@ CameraFrame<Real> make_camera_frame(const Camera& camera, int width, int height,
     return camera_frame;
 }
 
-/// The ray through a place of the picture, with its origin at the camera.
+/// The ray through a point of the picture, with its origin at the camera.
 template <class Real>
 Ray<Real> ray_from_camera(const CameraFrame<Real>& camera_frame, Real sx, Real sy) {
     const Vec3<Real> aside = sx * camera_frame.right + sy * camera_frame.up;
@@ -74,7 +73,7 @@ Ray<Real> ray_from_camera(const CameraFrame<Real>& camera_frame, Real sx, Real s
                     Real(0));
 }
 
-/// The same line, with its origin where the frame has it.
+/// The ray on the same line, with its origin `ahead` of the camera.
 template <class Real>
 Ray<Real> camera_ray(const CameraFrame<Real>& camera_frame, Real sx, Real sy) {
     if (camera_frame.ahead == 0) return ray_from_camera(camera_frame, sx, sy);
@@ -87,7 +86,7 @@ Ray<Real> camera_ray(const CameraFrame<Real>& camera_frame, Real sx, Real sy) {
     return make_ray(origin.hi, origin.lo, dir, Real(0));
 }
 
-/// The camera's parameter on a ray that has its origin ahead of it: negative.
+/// The parameter of the camera on the ray of camera_ray(): negative, or 0.
 template <class Real>
 Real camera_parameter(const CameraFrame<Real>& camera_frame, Real sx, Real sy) {
     if (camera_frame.orthographic) return -camera_frame.ahead;

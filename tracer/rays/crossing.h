@@ -1,4 +1,4 @@
-// Where a ray crosses a surface, and which crossings a query asks for.
+// Crossings of a ray with a surface, and the crossings that a query needs.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +8,23 @@
 
 namespace lancer {
 
-/// One of the surfaces of a contact: which face of which primitive, crossed in which sense.
+/// A surface of a contact: a face of a primitive, and whether the ray enters there.
 struct SurfaceId {
     std::uint32_t primitive = none;
     std::uint32_t face = 0;
-    bool entering = false;  ///< against the outward normal
+    bool entering = false;  ///< the ray goes against the outward normal
 
     bool operator==(const SurfaceId&) const = default;
 };
 
-/// What is known about a ray and a solid before their crossings are computed.
+/// What is known of a ray and a solid before their crossings are computed.
 struct IntersectionHints {
-    /// The ray starts on this face: its crossing there, at t = 0, is divided out, not computed.
+    /// The ray starts on this face. Its crossing there, at t = 0, is divided out and not computed.
     std::uint32_t start_face = none;
-    /// The ray is inside the solid: it has a way out, even where rounding denies it.
+    /// The ray is inside the solid. So it has an exit, even if rounding hides it.
     bool inside = false;
-    /// The solid is one that can only be left from inside and only be entered from outside, so that
-    /// other crossings need not be reported.
+    /// The state rule holds for the solid: if the ray is inside, only exits are needed, and if it
+    /// is outside, only entries.
     bool one_way = false;
 
     bool asks_about(bool entering) const { return !one_way || entering != inside; }
@@ -36,30 +36,29 @@ struct Crossing {
     Real t;
     Real error;  ///< bound on the rounding error of t
     std::uint32_t face;
-    bool entering;  ///< against the outward normal; for sheets: against the front
-    /// How far the ray then stays inside, where the solid is convex and its way out is known.
+    bool entering;  ///< the ray goes against the outward normal; for sheets: against the front
+    /// The length that the ray then stays inside, if the exit is known.
     Real chord = std::numeric_limits<Real>::infinity();
 };
 
-/// The interval of a line that a query asks about. What lies outside of it, before it by more than
-/// its error, need not be reported, and needs no bound either: bounds cost as much as crossings.
+/// The interval of a line that a query needs. Crossings beyond it, or before it by more than their
+/// errors, need not be reported, and need no error bounds: bounds cost as much as crossings.
 ///
-/// \tparam Last  called without arguments: the parameter beyond which nothing matters. It may
-///               shrink as crossings are reported. It may have a function accepts_estimate(): see
-///               there
+/// \tparam Last  last() returns the end of the interval, which may decrease as crossings are
+///               reported. Last may have a function accepts_estimate(), see there
 template <class Real, class Last>
 struct RayInterval {
     Real first;
     const Last& last;
 
-    /// Whether the query may do without the exact form of a crossing.
+    /// Whether the query may accept an estimate in place of an exact crossing.
     static constexpr bool may_accept_estimates = requires(const Last& query, Real t) {
         query.accepts_estimate(t, t);
     };
 
-    /// For shapes that know, from a filter, that a crossing which they would report lies between
-    /// these parameters, with eight times its error bound on either side of it. True: the query
-    /// wants to hear no more of the shape.
+    /// For shapes whose filter has found that a crossing which they would report lies in
+    /// [low, high], with eight times its error bound on either side. If true, the query needs
+    /// nothing else of the shape.
     bool accepts_estimate(Real low, Real high) const {
         if constexpr (may_accept_estimates) return last.accepts_estimate(low, high);
         return false;

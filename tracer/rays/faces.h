@@ -1,4 +1,4 @@
-// How the faces of solids that have several kinds of them are numbered.
+// The numbers of the faces of solids with several kinds of faces.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// An object's own space.
+// Frames: objects' own spaces.
 #pragma once
 
 #include "model/affine.h"
@@ -10,18 +10,18 @@ namespace lancer {
 template <class Real>
 struct Frame {
     Affine<Real> to_world;
-    Affine<Real> linear_inverse;  ///< the linear part's inverse; `shift` is 0
+    Affine<Real> linear_inverse;  ///< the inverse of the linear part; `shift` is 0
     Real norm;                    ///< largest absolute row sum of the linear part
-    Real inverse_norm;            ///< the same of the inverse
+    Real inverse_norm;            ///< the same for the inverse
     Real transform_error =
-        0;  ///< bound on how far rounding moved what stands in this space, in the world
-    bool keeps_digits = false;  ///< the linear part is a power of two: mapping a vector is exact
+        0;  ///< bound, in the world, on how far rounding moved objects in this space
+    bool keeps_digits = false;  ///< the linear part is a power of two, so it maps vectors exactly
 };
 
-/// Bound on what rounding adds where a place is mapped, whose low parts add up to `low`: `by_map`,
-/// which grows with the coordinates, or, where the map keeps all digits, that sum's rounding alone.
-/// So a move that changes no digit of the coordinates changes no decision about which hits are one
-/// contact.
+/// A bound on the rounding error of mapping a point. It is `by_map`, which grows with the
+/// coordinates. If the map keeps all digits, it is only the rounding of `low`, the sum of the
+/// point's low parts. So a translation that changes no digit of the coordinates never changes which
+/// hits are one contact.
 template <class Real>
 Real mapping_error(const Frame<Real>& frame, Real by_map, const Vec3<Real>& low) {
     return frame.keeps_digits ? gamma<Real>(2) * max_component(absolute(low)) : by_map;
@@ -30,10 +30,11 @@ Real mapping_error(const Frame<Real>& frame, Real by_map, const Vec3<Real>& low)
 /// The ray in the frame's space, with the same parameter t.
 template <class Real>
 Ray<Real> to_local(const Ray<Real>& ray, const Frame<Real>& frame) {
-    // Both parts of the start are kept: a power of two for a map, or none, then loses nothing.
+    // Both parts of the start are kept. So a map with a power of two as its linear part loses
+    // nothing.
     const DoubleWordVector<Real> start = two_sum(ray.origin, -frame.to_world.shift);
     const Vec3<Real> low = start.lo + ray.origin_lo;
-    // Three products and two sums a component, on rounded entries.
+    // Three products and two sums per component, with rounded entries.
     const Real by_map = gamma<Real>(6) * max_component(absolute(start.hi));
     const Real error = frame.inverse_norm * (ray.origin_error + frame.transform_error +
                                              mapping_error(frame, by_map, low));

@@ -1,45 +1,45 @@
-// Rays, and what a ray knows about where it starts.
+// Rays, and the errors of their starts.
 #pragma once
 
 #include "tracer/numerics/rounding.h"
 
 namespace lancer {
 
-/// A half line. World rays have unit directions; rays in an object's space keep the parameter t of
-/// the world ray, so their directions have any length.
+/// A half line. Rays in the world have unit directions. Rays in an object's space keep the
+/// parameter t of the world ray, so their directions may have any length.
 template <class Real>
 struct Ray {
     Vec3<Real> origin;     ///< the start is origin + origin_lo, unevaluated
-    Vec3<Real> origin_lo;  ///< what `origin` is too coarse for: at most u |origin| in a component
+    Vec3<Real> origin_lo;  ///< the low part: at most u |origin| in each component
     Vec3<Real> dir;
     Real dir_squared;  ///< dot(dir, dir)
     Real inv_squared;  ///< 1 / dir_squared
     Real
         origin_error;  ///< bound on the start's distance from the surface it was computed to lie on
-    Real filter_error;   ///< what the start adds to the error of a plain difference of places,
-                         ///< origin - point, summed over the components: see filter_error_of()
+    Real filter_error;  ///< the start's contribution to the error of a plain difference of points,
+    ///< origin - point, summed over the components: see filter_error_of()
     Vec3<Real> inv_dir;  ///< 1 / dir, component by component
     bool whole = false;  ///< `origin_lo` is 0
 };
 
-/// What a place adds to the error of a plain difference of places: such a difference errs by u of
-/// both, and a start's by the low part that it leaves out. 16 u instead, so that it stands for the
-/// place's size, too, in what is then computed from the difference. Filters use it: they decide
-/// what is clear from a distance, before exact differences are formed.
+/// A point's contribution to the error of a plain difference of points. Such a difference has an
+/// error of u of both points; the difference from a ray's start also misses its low part. 16 u is
+/// used instead, so that size_of_place() gives the point's size for later roundings. Filters use
+/// it: they settle clear cases before exact differences are computed.
 template <class Real>
 Real filter_error_of(const Vec3<Real>& place) {
     const Vec3<Real> size = absolute(place);
     return gamma<Real>(16) * (size.x + size.y + size.z);
 }
 
-/// A bound on the size of a place, or of several together, from their plain errors.
+/// A bound on the size of a point, or on the sum of sizes of several, from their filter errors.
 template <class Real>
 Real size_of_place(Real filter_errors) {
     return filter_errors * (1 / gamma<Real>(16));
 }
 
-/// 1 / square. Directions of world rays are unit but for rounding, and 1 / (1 + e) is 1 - e within
-/// e^2, which for an e of some roundings is less than one.
+/// 1 / square. Directions of world rays are unit vectors up to rounding, and 1 / (1 + e) is 1 - e
+/// up to e^2, which is below a rounding error for such an e.
 template <class Real>
 Real inverse_square(Real square) {
     using std::abs;
@@ -66,11 +66,11 @@ Ray<Real> make_ray(const Vec3<Real>& origin, const Vec3<Real>& origin_lo, const 
 /// The ray's start relative to `point`.
 template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> start_from(const Ray<Real>& ray, const Vec3<Real>& point) {
-    if (ray.whole) return ray.origin - point;  // what the difference then comes to
+    if (ray.whole) return ray.origin - point;  // then equal to the difference below
     return difference(ray.origin, ray.origin_lo, point);
 }
 
-/// What the rounding of start_from() took from its component `axis`.
+/// The rounding error of component `axis` of start_from(): the exact value minus the rounded one.
 template <class Real>
 Real lost_from_start(const Ray<Real>& ray, const Vec3<Real>& point, int axis) {
     const DoubleWord<Real> d = two_sum(ray.origin[axis], -point[axis]);

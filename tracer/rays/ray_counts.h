@@ -11,7 +11,7 @@ struct RayCounts {
     std::uint64_t shadow = 0;
     std::uint64_t reflected = 0;
     std::uint64_t transmitted = 0;
-    std::uint64_t media_lost = 0;  ///< bodies left without a crossing; 0 in a sound scene
+    std::uint64_t media_lost = 0;  ///< bodies whose exit was lost; 0 in a sound scene
 
     RayCounts& operator+=(const RayCounts& more) {
         primary += more.primary;

@@ -1,4 +1,4 @@
-// The ray turned into an axis, for triangles.
+// The shear that turns a ray into an axis, for triangles.
 #pragma once
 
 #include <limits>
@@ -19,11 +19,11 @@ struct Shear {
     Real sx = 0;
     Real sy = 0;
     Real sz = 1;
-    /// Bound on what plain differences take from an edge function of a triangle: edge_noise().
+    /// Bound on the error of a triangle's edge function by plain differences: edge_noise().
     Real noise = std::numeric_limits<Real>::infinity();
 };
 
-/// The same for all triangles that the ray meets, so that neighbours agree.
+/// The shear is the same for all triangles that the ray meets, so adjacent triangles agree.
 template <class Real>
 Shear<Real> shear_of(const Ray<Real>& ray) {
     using std::abs;
@@ -42,11 +42,11 @@ Shear<Real> shear_of(const Ray<Real>& ray) {
     return s;
 }
 
-/// How far a triangle's edge function by plain differences and that by exact ones may lie apart.
-/// With S the size of start and corners from their plain errors, plain differences are off by 18 u
-/// S, sheared coordinates (up to 2 S) by 43 u S, the difference of two of their products by 360 u
-/// S^2; from exact differences by 72 u S^2. Where the start is one number both are the same, and
-/// where exact ones cost as little about_from_start() takes them anyway.
+/// A bound on the difference between a triangle's edge function by plain differences and by exact
+/// ones. Let S be the size of start and corners, from their filter errors. Plain differences have
+/// an error of 18 u S, sheared coordinates (up to 2 S) of 43 u S, and the difference of two of
+/// their products of 360 u S^2; from exact differences it is 72 u S^2. If the start has no low
+/// part, both are equal. If exact differences are as cheap, about_from_start() uses them anyway.
 ///
 /// \param reach  bound on the corners' coordinates
 template <class Real>
