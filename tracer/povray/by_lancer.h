@@ -1,5 +1,5 @@
-// Lancer's own rules, as recursion.h asks for them: what our picture would be if each contact were
-// one surface.
+// Lancer's own rules, as a policy for recursion.h: our picture, if each contact were a single
+// surface.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 
 namespace lancer {
 
-/// What is carried with a ray, and what follows from it.
+/// The state that a ray carries, and the rules that depend on it.
 template <class Real>
 class ByLancer {
   public:
     using Step = Crossed<Real, ByLancer>;
 
-    /// \param bodies  around the camera
+    /// \param bodies  that contain the camera
     /// \param unit    POV-Ray's unit of length in the world's
     ByLancer(const MediaList& bodies, Real unit)
         : bending_(bodies), absorbing_(bodies), unit_(unit) {}
 
-    // --- Which surfaces a ray sees: all but the one that it leaves
+    // --- Which surfaces a ray sees: all except the one that it leaves
 
     Real nearest_hit(const Ray<Real>& ray) const { return off_the_surface(ray); }
     Real nearest_shadow(const Ray<Real>& ray) const { return off_the_surface(ray); }
@@ -39,17 +39,17 @@ class ByLancer {
         return max_component(s.transmittance) > 0;
     }
     static bool is_straight(Real ratio) { return ratio == 1; }
-    /// How much of a ray's weight goes on. The ray that is totally reflected takes the place of the
-    /// transmitted one and of the mirrored one.
+    /// The factor of a ray's weight behind the surface. A totally reflected ray replaces the
+    /// transmitted and the mirrored one.
     static const Vec3<Real>& weight_behind(const Surface<Real>& s, const Vec3<Real>& transmittance,
                                            bool total) {
         return total ? s.transmittance : transmittance;
     }
 
-    // --- What the ray is in
+    // --- Which bodies contain the ray
 
-    /// Takes the surface into the lists or from them. Returns the ratio of the indices before and
-    /// after.
+    /// Adds the surface's body to the lists or removes it. Returns the ratio of the index before to
+    /// the index after.
     Real cross(const World<Real>& world, const Surface<Real>& s) {
         const Real before = index(world);
         if (s.primitive->medium) {
@@ -59,13 +59,13 @@ class ByLancer {
         return before / index(world);
     }
 
-    /// What is around the shadow rays on the far side of a surface.
+    /// The bodies around shadow rays on the far side of a surface.
     static const ByLancer& beyond(const ByLancer& /*before*/, const ByLancer& after) {
         return after;
     }
 
-    /// What is around a ray that leaves a surface, refracted or mirrored: what absorbs it follows
-    /// from the side that it leaves to.
+    /// The bodies around a refracted or mirrored ray that leaves a surface. The side to which it
+    /// leaves decides what absorbs it.
     static ByLancer leaving(const Step& c, const ByLancer& after, const Surface<Real>& s,
                             const Vec3<Real>& direction, bool refracted) {
         ByLancer next = c.towards(s, direction);
@@ -73,19 +73,19 @@ class ByLancer {
         return next;
     }
 
-    // --- What dims
+    // --- Absorption
 
-    /// What is left of light after a way through the body that was entered last.
+    /// The transmittance of a path of this length through the body that was entered last.
     Vec3<Real> left_after(const World<Real>& world, Real way) const {
         const Finish<Real>* medium = medium_of(world, absorbing_);
         return medium != nullptr && medium->absorbs
                    ? beer_lambert_transmittance(medium->absorption, way)
                    : Vec3<Real>(1);
     }
-    /// The way has dimmed the surface that it ends at and all behind it.
+    /// 1, because left_after() already dims the surface at the end of the path and all behind it.
     Vec3<Real> left_behind(const Surface<Real>& /*s*/, Real /*way*/) const { return Vec3<Real>(1); }
 
-    /// What casts no shadow does not absorb a shadow ray.
+    /// A body that casts no shadow does not absorb a shadow ray.
     void begin_shadow(const World<Real>& world) {
         const auto casts_none = [&](std::uint32_t body) {
             return !world.primitives[body].casts_shadow;
@@ -97,7 +97,7 @@ class ByLancer {
         if (s.primitive->medium) toggle(absorbing_, s.id.primitive);
     }
 
-    // --- Fresnel's term
+    // --- Fresnel reflectance
 
     Real fresnel(const World<Real>& world, const Surface<Real>& s, const Ray<Real>& ray,
                  Real ratio) const {
@@ -116,8 +116,8 @@ class ByLancer {
         return medium == nullptr ? Real(1) : medium->ior;
     }
 
-    MediaList bending_;    ///< bodies that the ray was seen to enter and not yet to leave
-    MediaList absorbing_;  ///< bodies that it is in by the sides of surfaces
+    MediaList bending_;    ///< bodies that the ray has entered and not yet left, for refraction
+    MediaList absorbing_;  ///< bodies that contain it by the sides of surfaces, for absorption
     Real unit_;
 };
 

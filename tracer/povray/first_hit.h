@@ -1,6 +1,6 @@
-// Which surface a ray of the judge's recursion meets, more simply than nearest_contact.h says it: a
-// ray starts a small way off the surface that it leaves, and of what lies in one place it meets one
-// surface.
+// The surface that a ray of the judge's recursion meets. It is simpler than nearest_contact.h: the
+// search starts at a small distance from the surface that the ray leaves, and of several surfaces
+// in one place the ray meets only one.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace lancer {
 
-/// The one surface that is seen first between two parameters of the ray; of several in one place
-/// the first declared, though POV-Ray promises none.
+/// The first surface between two parameters of the ray. Of several in one place it is the one
+/// declared first; POV-Ray guarantees no order.
 template <class Real>
 std::optional<Hit<Real>> first_hit(const World<Real>& world, const Ray<Real>& ray, Real first,
                                    Real last, Shadows shadows) {
@@ -41,7 +41,8 @@ std::optional<Hit<Real>> first_hit(const World<Real>& world, const Ray<Real>& ra
     return nearest;
 }
 
-/// The ray goes on from a surface, which a rule of distance keeps it from meeting again.
+/// The ray that continues from a surface. The smallest distance of hits keeps it from meeting the
+/// surface again.
 template <class Real>
 Ray<Real> ray_from(const Surface<Real>& s, const Vec3<Real>& direction) {
     return make_ray(s.position, s.position_lo, direction, s.error);

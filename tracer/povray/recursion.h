@@ -1,7 +1,8 @@
-// A second recursion, for the judge of pictures. It goes by one of two policies: by_povray.h or
-// by_lancer.h. Crossings, surfaces and the terms of shading are those of whitted.h; which hits
-// count, what a ray is taken to be in, what dims it and which branches are followed is said here
-// and there once more, and more simply. A policy is what is carried with a ray.
+// A second recursion, for the judge. It follows one of two policies: by_povray.h or by_lancer.h.
+// Crossings, surfaces and the terms of shading are those of whitted.h. This file and the policies
+// implement the rest a second time, and more simply: which hits count, which bodies contain a ray,
+// what absorbs it, and which branches are followed. A policy object is the state that a ray
+// carries.
 #pragma once
 
 #include "tracer/povray/by_lancer.h"
@@ -133,7 +134,7 @@ class SecondTracer {
     Lighting<Real, Rules> lighting_;
 };
 
-/// Calls work(tracer) with one that goes by POV-Ray's rules, or by ours.
+/// Calls work(tracer) with a tracer that follows POV-Ray's rules, or ours.
 template <class Real, class Work>
 void with_second_tracer(const World<Real>& world, Real unit, bool by_povray, Work& work) {
     if (by_povray) {
