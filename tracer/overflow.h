@@ -1,4 +1,4 @@
-// Light that leaves the number type's range is an error, not a black or white pixel.
+// Light that overflows the number type is an error, not a black or white pixel.
 #pragma once
 
 #include <cmath>
@@ -11,11 +11,12 @@
 
 namespace lancer {
 
-/// Light that no number holds becomes infinite, and with a factor of 0 no number at all.
+/// Whether light has overflowed: it is then infinite, or NaN after a multiplication by 0.
 inline bool overflows(const double* pixel) {
     return !(std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]));
 }
-/// Of the tile's pixels, as its place in the image; the largest number for none.
+/// The index in the image of the tile's first pixel that overflows; the largest number if none
+/// does.
 inline std::int64_t first_overflow(Image& image, const Crop& tile) {
     for (int y = tile.y; y < tile.y + tile.height; ++y) {
         for (int x = tile.x; x < tile.x + tile.width; ++x) {

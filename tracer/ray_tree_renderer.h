@@ -1,4 +1,4 @@
-// A renderer that also tells what one ray does: for people who ask why a pixel has its colour.
+// A renderer that also returns ray trees, which show why a pixel has its colour.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@ namespace lancer {
 
 class RayTreeRenderer : public Renderer {
   public:
-    /// All that the ray through the point does, written down by the recursion that makes the
-    /// picture: its color has the bits that trace() gives.
+    /// The ray tree of the ray through the point, recorded by the recursion that makes the picture.
+    /// Its color has the same bits as that of trace().
     virtual RayTree ray_tree(const View& view, const PicturePoint& at) const = 0;
 };
 
-/// compile() with one ray at a time. Throws SceneError as it does.
+/// compile() for one ray at a time. Throws SceneError as compile() does.
 std::unique_ptr<RayTreeRenderer> compile_for_ray_trees(const Scene& scene,
                                                        const Settings& settings);
 

@@ -6,7 +6,7 @@ namespace lancer {
 
 namespace {
 
-/// \param level  of double alone
+/// \param level  used only in double precision
 std::unique_ptr<RayTreeRenderer> compile_by_precision(const Scene& scene, const Settings& settings,
                                                       Level level) {
     switch (settings.precision) {

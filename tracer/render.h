@@ -1,4 +1,4 @@
-// Scene → picture. The folder's public face; the number type is chosen behind it.
+// Renders a scene. This is the public interface of the folder; it hides the number type.
 #pragma once
 
 #include <cstdint>
@@ -28,24 +28,24 @@ struct Crop {
     int height = 0;
 };
 
-/// Which picture of the scene.
+/// The picture of the scene that is wanted.
 struct View {
     std::size_t camera = 0;  ///< index into Scene::cameras
     int width = 640;
     int height = 480;
-    std::optional<Crop> crop;  ///< only these pixels; the result has the crop's size
+    std::optional<Crop> crop;  ///< if set, only these pixels; the image has the crop's size
     bool aov = false;          ///< also object id, depth, normal and shadow, see render()
     bool alpha = false;        ///< a fourth channel, see render()
 };
 
-/// A place of the image plane in pixels of the whole picture: (0.5, 0.5) is the centre of the
-/// first.
+/// A point of the image plane, in pixels of the whole picture: (0.5, 0.5) is the centre of the
+/// first pixel.
 struct PicturePoint {
     double x = 0;
     double y = 0;
 };
 
-/// What there is to count in a compiled scene.
+/// Counts of a compiled scene.
 struct WorldCounts {
     std::uint64_t shapes = 0;
     std::uint64_t triangles = 0;
@@ -53,18 +53,18 @@ struct WorldCounts {
     std::uint64_t nodes = 0;  ///< of all acceleration structures
 };
 
-/// What one ray through the image plane brought, and what it met first: for judging differences.
+/// The colour of one camera ray, and what it met first; for judging differences.
 struct Probe {
     Color color{0, 0, 0};
     std::uint32_t object = none;  ///< index into Scene::objects; none: background
-    double depth = 0;  ///< distance from the camera's plane of origin along the ray, scene units
+    double depth = 0;  ///< distance along the ray from its origin at the camera, in scene units
     Vec3d normal{0, 0, 0};  ///< shading normal, towards the viewer; 0 for the background
-    /// Per light (the first 64) one bit: its light reaches the point, at least in part.
+    /// One bit for each of the first 64 lights: its light reaches the point, at least in part.
     std::uint64_t lit = 0;
-    /// Hash of everything discrete on the way: objects, faces and shadows met by all rays of the
-    /// tree, texture cells left out. Two probes with equal paths differ only by smooth amounts.
+    /// A hash of all discrete events: objects, faces and shadows that the rays of the tree met, but
+    /// not texture cells. Probes with equal paths differ only continuously.
     std::uint64_t path = 0;
-    std::uint64_t rays = 0;  ///< of all kinds that were traced for it
+    std::uint64_t rays = 0;  ///< number of rays of all kinds that were traced for it
 };
 
 /// A compiled scene: acceleration structures built, matrices inverted. Safe to use from many
@@ -73,55 +73,55 @@ class Renderer {
   public:
     virtual ~Renderer() = default;
 
-    /// The picture in linear light, the same bytes for any number of threads. With `view.aov` it
-    /// has the extra channels object.id, depth.Z, normal.X, normal.Y, normal.Z, shadow.Y (share of
-    /// the lights that do not reach the point), taken by the ray through the pixel's centre. With
-    /// `view.alpha` it has alpha: what rays bring that hit nothing is left out of the colours, and
-    /// alpha is 1 less the share that it had, the mean of the channels. Light that glass passes or
-    /// bends counts, mirrors stay as they are. Throws SceneError when light leaves the number
-    /// type's range.
+    /// Renders the picture in linear light. The bytes are the same for any number of threads. With
+    /// `view.aov` it has the extra channels object.id, depth.Z, normal.X, normal.Y, normal.Z and
+    /// shadow.Y (the share of the lights that do not reach the point), computed by the ray through
+    /// the pixel's centre. With `view.alpha` it has an alpha channel: the background's light is
+    /// left out of the colours, and alpha is 1 minus the background's share, the mean over the
+    /// channels. Background seen through glass counts, background in mirrors does not. Throws
+    /// SceneError if light overflows the number type.
     virtual Image render(const View& view, const Progress& progress, RayCounts& counts) const = 0;
 
-    /// One ray through each of the points: colors[i] is the light, linear, that points[i] brings,
-    /// the same bits for any number of threads and whatever points stand beside it. Large batches
-    /// with neighbours together are fast. Points may lie anywhere; the view's crop is not looked
-    /// at; recursion may be limited below the settings, not above. Adds to `counts`. Throws
+    /// Traces one ray through each of the points. colors[i] is the colour of points[i] in linear
+    /// light. Its bits do not depend on the number of threads or on the other points. Large batches
+    /// in which neighbours are adjacent are fast. Points may lie anywhere; the view's crop is
+    /// ignored. limits.max_depth must be at most that of the settings. Adds to `counts`. Throws
     /// SceneError as render() does.
     virtual void trace(const View& view, std::span<const PicturePoint> points,
                        const TraceLimits& limits, std::span<Color> colors, const Progress& progress,
                        RayCounts& counts) const = 0;
 
-    /// What trace() leaves out: shares[i] is the sum over the branches of points[i]'s ray that the
-    /// limits end, by channel, of the product of all factors along the way. No light is computed. A
-    /// branch that was cut would bring at most that share of the light that it would have met.
+    /// The shares of light that trace() leaves out. shares[i] is the sum, over all branches of
+    /// points[i]'s ray that the limits end, of the product of all factors on the path, per channel.
+    /// No light is computed. A branch that was cut would contribute at most this share of the light
+    /// that it would have met.
     virtual void cut_shares(const View& view, std::span<const PicturePoint> points,
                             const TraceLimits& limits, std::span<Color> shares,
                             const Progress& progress) const = 0;
 
-    /// The points of the pixel at column x, row y of the whole picture that render() sends rays
-    /// through, in the order in which their light is summed.
+    /// The points through which render() traces rays for the pixel at column x, row y of the whole
+    /// picture, in the order in which their light is summed.
     virtual std::vector<PicturePoint> samples(int x, int y) const = 0;
 
-    /// One ray through the point (x, y) of the image plane, in pixels: (0.5, 0.5) is the centre of
-    /// the first pixel.
+    /// Traces one ray through the point (x, y) of the image plane, see PicturePoint.
     virtual Probe probe(const View& view, double x, double y) const = 0;
 
     virtual WorldCounts counts() const = 0;
 
-    /// How many rays go side by side, where they do: scalar in other types than double.
+    /// The level in use: how many rays go side by side. Scalar for types other than double.
     virtual Level level() const = 0;
 };
 
-/// Builds what rendering needs. Throws SceneError, e.g. for coordinates that leave the number
-/// type's range.
+/// Compiles a scene. Throws SceneError, e.g. if coordinates leave the number type's range.
 ///
-/// \param level  the fastest that may be used; supported here. Pictures are the same on all
+/// \param level  the fastest level that may be used; the processor must support it. Pictures are
+///               the same on all levels
 std::unique_ptr<Renderer> compile(const Scene& scene, const Settings& settings,
                                   Level level = best_level());
 
-/// For the judge: a renderer with a recursion of its own (tracer/povray/recursion.h), by POV-Ray's
-/// rules or, where they are not `followed`, by ours; in double precision. Throws SceneError as
-/// compile() does.
+/// For the judge: a renderer with its own recursion (tracer/povray/recursion.h), in double
+/// precision. It follows POV-Ray's rules, or ours if `rules.followed` is false. Throws SceneError
+/// as compile() does.
 std::unique_ptr<Renderer> compile_by_povray(const Scene& scene, const Settings& settings,
                                             const PovRayRules& rules);
 

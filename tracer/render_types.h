@@ -1,4 +1,4 @@
-// The three number types, each compiled in a file of its own.
+// The three number types. Each is compiled in its own file.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The renderer for one number type; instantiated in render_*.cpp, so that each compiles alone.
+// The renderer for one number type. Each type is instantiated in its own file, render_*.cpp.
 #pragma once
 
 #include <cassert>
@@ -27,7 +27,7 @@ namespace lancer {
 template <class Real>
 class RendererOf final : public RayTreeRenderer {
   public:
-    /// \param level  of rays side by side, where the world and the number type have them
+    /// \param level  used if the number type and the world support it
     RendererOf(const Scene& scene, const Settings& settings, Level level = Level::scalar)
         : world_(compile_world<Real>(scene, settings)), cameras_(scene.cameras) {
         if constexpr (has_wide) {
@@ -69,7 +69,7 @@ class RendererOf final : public RayTreeRenderer {
                 counts += tracer.counts();
                 overflow = std::min(overflow, own_overflow);
             };
-            // Rays side by side bring colours alone.
+            // Rays side by side compute no alpha.
             if (view.alpha)
                 with_tracer(limits(), work);
             else
@@ -138,7 +138,7 @@ class RendererOf final : public RayTreeRenderer {
     RayTree ray_tree(const View& view, const PicturePoint& at) const override {
         RayTree tree;
         const CameraFrame<Real> camera_frame = camera_frame_of(view);
-        for_each_task(1, 1, {}, [&](auto next_task) {  // for its deep stack
+        for_each_task(1, 1, {}, [&](auto next_task) {  // gives the deep stack that recursion needs
             RecordedTracer<Real> tracer(*world_, limits(), tree);
             for (int task = 0; next_task(task);)
                 tree.color =
@@ -155,15 +155,15 @@ class RendererOf final : public RayTreeRenderer {
   private:
     static constexpr int aov_channels = 6;
     static int color_channels(const View& view) { return view.alpha ? 4 : 3; }
-    /// Rays go side by side in double alone.
+    /// Rays go side by side only in double.
     static constexpr bool has_wide = std::is_same_v<Real, double>;
 
     TraceLimits limits() const {
         return {world_->settings.max_depth, world_->settings.min_contribution};
     }
 
-    /// Calls work(tracer) with a tracer that does what this world requires, and no more. The
-    /// judge's recursion keeps to the limits that it was compiled with.
+    /// Calls work(tracer) with the simplest tracer for this world. The judge's recursion uses the
+    /// limits that it was compiled with.
     template <class Work>
     void with_tracer(const TraceLimits& limits, Work&& work) const {
         if constexpr (std::is_same_v<Real, double>) {
@@ -181,8 +181,8 @@ class RendererOf final : public RayTreeRenderer {
         }
     }
 
-    /// The same with the tracer that is fastest for many rays: of those that go side by side, where
-    /// there are any.
+    /// The same with the tracer that is fastest for many rays: one for rays side by side, if it can
+    /// be used.
     template <class Work>
     void with_fastest_tracer(const TraceLimits& limits, const CameraFrame<Real>& camera_frame,
                              Work&& work) const {
@@ -223,7 +223,8 @@ class RendererOf final : public RayTreeRenderer {
         return color;
     }
 
-    /// Takes the light that the samples bring, and the shares of what is behind everything in it.
+    /// \param light   mean of the samples, without the background's light
+    /// \param behind  mean share of the background
     static void put_with_alpha(double* pixel, const Vec3<Real>& light, const Vec3<Real>& behind) {
         const Real share = (behind.x + behind.y + behind.z) / 3;
         const Real alpha = share < 1 ? 1 - share : Real(0);
@@ -231,7 +232,7 @@ class RendererOf final : public RayTreeRenderer {
         pixel[3] = static_cast<double>(alpha);
     }
 
-    /// A tile of the image, which holds the crop of the picture.
+    /// Fills a tile of the image, which contains the crop of the picture.
     template <class Tracer>
     void fill(Image& image, const Crop& tile, Tracer& tracer, const CameraFrame<Real>& camera_frame,
               const View& view, const Crop& crop) const {
@@ -261,7 +262,7 @@ class RendererOf final : public RayTreeRenderer {
         }
     }
 
-    /// The same, many rays at a time. The tile is black before.
+    /// The same, many rays at a time. The tile must be black before.
     void fill(Image& image, const Crop& tile, WideTracer& tracer,
               const CameraFrame<Real>& camera_frame, const View& view, const Crop& crop) const {
         add_samples(image, tile, tracer, camera_frame, view, crop, world_->settings);
@@ -273,7 +274,7 @@ class RendererOf final : public RayTreeRenderer {
         });
     }
 
-    /// One ray through each of the points. Each thread calls with_tracer(work), which calls
+    /// Traces one ray through each of the points. Each thread calls with_tracer(work), which calls
     /// work(tracer).
     template <class WithTracer>
     void trace_all(std::span<const PicturePoint> points, const CameraFrame<Real>& camera_frame,
@@ -315,7 +316,7 @@ class RendererOf final : public RayTreeRenderer {
         for (int c = 0; c < 3; ++c) pixel[c] = color[c];
     }
 
-    /// By a ray of its own through the centre, which no count shows.
+    /// Traces its own ray through the pixel's centre, which is not counted.
     void fill_aov(double* out, const CameraFrame<Real>& camera_frame, const View& view, int x,
                   int y) const {
         ProbeRecord<Real> record;
@@ -336,10 +337,10 @@ class RendererOf final : public RayTreeRenderer {
     }
 
     std::unique_ptr<World<Real>> world_;
-    std::unique_ptr<WideWorld> wide_;  ///< null where rays go one by one
+    std::unique_ptr<WideWorld> wide_;  ///< null if rays go one by one
     std::vector<Camera> cameras_;
-    std::optional<Real> povray_unit_;  ///< set: rays are traced by the judge's recursion ...
-    bool by_povray_ = false;           ///< ... and by POV-Ray's rules
+    std::optional<Real> povray_unit_;  ///< if set, the judge's recursion traces rays ...
+    bool by_povray_ = false;           ///< ... and this chooses POV-Ray's rules
 };
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// The part of an image that a tile fills.
+// Prefetches the part of an image that a tile fills.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace lancer {
 
-/// Asks for the memory of a tile, which is in no cache yet, so that it comes while the tile's rays
-/// are traced.
+/// Prefetches the memory of a tile, so that it is in the cache when the tile's rays have been
+/// traced.
 inline void expect_memory(Image& image, const Crop& tile) {
     constexpr std::ptrdiff_t line = 64 / sizeof(double);
     for (int y = tile.y; y < tile.y + tile.height; ++y) {

@@ -1,4 +1,4 @@
-// In which order a picture's tiles are dealt, so that the first of them tell of the whole.
+// The order of a picture's tiles, in which the first tiles are representative of all.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace lancer {
 
-/// Visits 0 .. count-1 once each, by steps of count over the golden ratio: after any number of
-/// steps the places visited are nearly even over the whole (Knuth, The Art of Computer Programming
-/// 3, 6.4, theorem S). So the share of tiles that are done is about the share of the work.
+/// Visits each of 0 .. count-1 once, by steps of count over the golden ratio. After any number of
+/// steps, the visited numbers are spread nearly evenly (Knuth, The Art of Computer Programming
+/// 3, 6.4, theorem S). So the share of finished tiles is about the share of finished work.
 class TileOrder {
   public:
     explicit TileOrder(int count) : count_(count) {
