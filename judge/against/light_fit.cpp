@@ -48,6 +48,10 @@ std::vector<Source> sources_of(const TrialPixels& samples, const VariantTracer& 
         add(light_words(job, i), [i](Scene& scene) { scene.lights[i].color = Color(0); });
     add("the ambient light", [](Scene& scene) { scene.ambient = Color(0); });
     add("the background", [](Scene& scene) { scene.background = Color(0); });
+    if (job.scene->sky)
+        add("the sky", [](Scene& scene) {
+            for (Gradient::Stop& stop : scene.sky->stops) stop.color = Color(0);
+        });
     return sources;
 }
 

@@ -1,5 +1,5 @@
-// Causes in the lighting: one of the lights, the ambient light or the background differs, or a
-// light has another falloff.
+// Causes that lie in the light: one of the lights, the ambient light, the background or the sky is
+// another, or a light falls off otherwise.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ namespace lancer::judge {
 /// The largest number of lights that are tried one by one; each needs a picture.
 inline constexpr std::size_t most_lights = 12;
 
-/// Light adds up: the other picture is ours and a share of what each light, the ambient light and
-/// the background bring. The shares by least squares, channel by channel; nothing where no light
-/// brings anything.
-std::vector<Explanation> other_lights(const TrialPixels& samples, const VariantTracer& tracer,
+/// Light adds up: the other picture is ours and a share of what each light, the ambient light, the
+/// background and the sky bring. The shares by least squares, channel by channel; nothing where no
+/// light brings anything.
+std::vector<Explanation> other_lights(const Samples& samples, const VariantTracer& tracer,
                                       const ValidationJob& job);
 
 /// Lights, one alone or all, that fall off by another law, of any brightness.

@@ -242,6 +242,18 @@ TEST_F(AgainstCauses, GlassAndMirrors) {
         });
 }
 
+TEST_F(AgainstCauses, LightOfTheSky) {
+    const auto sky = [](const Color& factor) {
+        return [factor](Scene& s) {
+            for (Gradient::Stop& stop : s.sky->stops) stop.color *= factor;
+        };
+    };
+    expect_named(590, {{"the sky is 2 times as bright", sky(Color(2))},
+                       {"the sky is 0.5 times as bright", sky(Color(0.5))},
+                       {"the sky is missing", sky(Color(0))},
+                       {"the sky is 1, 1 and 3 times as bright", sky({1, 1, 3})}});
+}
+
 TEST_F(AgainstCauses, LevelsOfRecursion) {
     const auto deep = [](int depth) { return [depth](Scene& s) { s.settings.max_depth = depth; }; };
     expect_named(600, {{"rays are followed 1 level deep, but the scene says 4", deep(1)},
