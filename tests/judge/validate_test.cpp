@@ -177,6 +177,17 @@ TEST_F(Validate, BrightScenesAreExposedOnBothSides) {
     EXPECT_EQ(v.verdict, Verdict::agrees) << said(v);
 }
 
+TEST_F(Validate, ShowsALightOnACurvedSurface) {
+    Scene scene = empty_scene();
+    add_object(scene, Plane{{0, 1, 0}, -1});
+    add_object(scene, Sphere{{-0.75, 0, 0}, 0.625});
+    add_object(scene, Box{{0.25, -1, -0.5}, {1.25, 0, 0.5}});
+    scene.lights[0].kind = PointLight{{-0.375, 0.5, 0}, {}};  // 3, 4 and 5 eighths
+    const Validation v = validate(scene);
+    EXPECT_EQ(v.verdict, Verdict::differs);
+    EXPECT_GE(v.judgement.count(PixelClass::unexplained), 1000u);
+}
+
 TEST_F(Validate, AnExpectedRefusalThatDoesNotComeFails) {
     Expectations expect;
     expect.refused = true;
