@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/extremes/corners.h"
 #include "tests/extremes/picture.h"
 
 namespace lancer::extremes {
@@ -161,6 +162,20 @@ TEST(Leaks, EveryEdgeOfAGlassMeshIsCrossed) {
     }
     EXPECT_EQ(lost, 0u);
     EXPECT_EQ(odd, 0);
+}
+
+TEST(Leaks, EveryCornerOfABodyIsCrossed) {
+    // Rays at places where three faces of different parts of a body of glass meet.
+    for (const unsigned seed : {3U, 47U}) {
+        std::mt19937 random(seed);
+        for (int i = 0; i < 300; ++i) {
+            const Scene scene = random_corner(random, 16);
+            RayCounts counts;
+            compile(scene, scene.settings)
+                ->render({0, scene.width, scene.height, {}, false}, {}, counts);
+            EXPECT_EQ(counts.media_lost, 0U) << "picture " << i << " of seed " << seed;
+        }
+    }
 }
 
 TEST(Leaks, Needle) {

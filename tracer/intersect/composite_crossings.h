@@ -53,7 +53,7 @@ class CompositeWalk {
             if (next < changes_.size() && is_at_once(changes_[next])) {
                 ++next;  // rounding cannot tell it from the start, so it counts as passed
             } else {
-                if (at_once_ && tell_of(*at_once_, interval, report)) return;
+                if (at_once_ && tell_at_start(*at_once_, interval, report)) return;
                 inside = at_start_;
             }
         }
@@ -183,17 +183,34 @@ class CompositeWalk {
     /// Undoes the contact at or before the start, and sets at_once_: the change to report if the
     /// list of bodies puts the ray on the wrong side.
     void cross_start(std::size_t end) {
-        const std::uint32_t own = search_.first_started();
-        if (own != none) {
-            // A ray that starts on a face is on the side to which its direction points.
-            expected_ = (state_.depth(own) > 0) != tree_.leaves[own].subtracted;
+        const bool own = !search_.started().empty();
+        if (own) {
+            // A ray that starts on a face is on the side of it that it goes to.
+            const std::uint32_t leaf = search_.started().front().leaf;
+            expected_ = (state_.depth(leaf) > 0) != tree_.leaves[leaf].subtracted;
         }
         std::size_t begin = 0;
         while (begin < end && known_.start->t - events_[begin].t > events_[begin].error) ++begin;
         at_once_ = begin < end ? undo({begin, end}) : std::nullopt;
-        if (!at_once_ && own != none)
+        if (!at_once_ && own) {
             at_once_ = Change{known_.start->t, Real(0), no_event, 0, 0, at_start_};
-        if (at_once_ && own == none && !known_.inside) expected_ = !at_start_;
+            turning_ = turning_face();
+        }
+        if (at_once_ && !own && !known_.inside) expected_ = !at_start_;
+    }
+
+    /// Which of the faces that the ray starts on leads to the state that the whole is in: but for
+    /// what its leaf does, the whole would be in the other one.
+    std::size_t turning_face() {
+        const auto& started = search_.started();
+        for (std::size_t i = 0; i < started.size(); ++i) {
+            const std::uint32_t depth = state_.depth(started[i].leaf);
+            state_.set_depth(started[i].leaf, depth > 0 ? 0 : 1);
+            const bool turns = state_.holds() != at_start_;
+            state_.set_depth(started[i].leaf, depth);
+            if (turns) return i;
+        }
+        return 0;
     }
 
     /// Whether the distance between start and contact is below the rounding error.
@@ -204,25 +221,49 @@ class CompositeWalk {
     }
 
     template <class Last, class Report>
+    bool tell_face(const Change& change, const RayInterval<Real, Last>& interval, Report& report,
+                   std::uint32_t face, Real u = 0, Real v = 0) const {
+        const Crossing<Real> c{change.t, change.error, face, change.entering};
+        return interval.holds(c) && report(c, u, v);
+    }
+
+    template <class Last, class Report>
     bool tell_of(const Change& change, const RayInterval<Real, Last>& interval,
                  Report& report) const {
-        const auto tell_face = [&](std::uint32_t face, Real u, Real v) {
-            const Crossing<Real> c{change.t, change.error, face, change.entering};
-            return interval.holds(c) && report(c, u, v);
+        const auto face_of = [&](const Event& e) {
+            return tree_.leaves[e.leaf].first_face + e.face;
         };
-        if (change.shown == no_event) {
-            const std::uint32_t first = tree_.leaves[search_.first_started()].first_face;
-            return tell_face(first + search_.first_face(), Real(0), Real(0));
-        }
         const Event& shown = events_[change.shown];
-        if (tell_face(tree_.leaves[shown.leaf].first_face + shown.face, shown.u, shown.v))
-            return true;
+        if (tell_face(change, interval, report, face_of(shown), shown.u, shown.v)) return true;
         if (known_.start == nullptr) return false;
         for (std::size_t i = change.begin; i < change.end; ++i) {
             const Event& e = events_[i];
             if (i == change.shown) continue;
-            if (tell_face((tree_.leaves[e.leaf].first_face + e.face) | hidden_face, e.u, e.v))
+            if (tell_face(change, interval, report, face_of(e) | hidden_face, e.u, e.v))
                 return true;
+        }
+        return false;
+    }
+
+    /// Tells of the change that brought the ray to where it is. It counts as at the start, though
+    /// it may lie before it by more than its own error: contacts are as wide as their widest error,
+    /// and the start is a crossing of one of them alone. All faces that the ray starts on are still
+    /// the contact's.
+    template <class Last, class Report>
+    bool tell_at_start(Change change, const RayInterval<Real, Last>& interval,
+                       Report& report) const {
+        change.t = std::max(change.t, known_.start->t);
+        const bool by_event = change.shown != no_event;
+        if (by_event && tell_of(change, interval, report)) return true;
+        const auto tell_started = [&](std::size_t i, std::uint32_t hidden) {
+            const auto& [leaf, face] = search_.started()[i];
+            return tell_face(change, interval, report,
+                             (tree_.leaves[leaf].first_face + face) | hidden);
+        };
+        if (!by_event && tell_started(turning_, 0)) return true;
+        for (std::size_t i = 0; i < search_.started().size(); ++i) {
+            if (!by_event && i == turning_) continue;
+            if (tell_started(i, hidden_face)) return true;
         }
         return false;
     }
@@ -237,9 +278,10 @@ class CompositeWalk {
     boost::container::small_vector<Range, 16> contacts_;
     boost::container::small_vector<Change, 16> changes_;
     boost::container::small_vector<std::size_t, 8> turned_;
-    std::optional<Change> at_once_;  ///< the change at or before the start
-    bool at_start_ = false;          ///< whether the ray is inside just beyond its start
-    bool expected_ = false;          ///< whether it counts as inside if no list says so
+    std::optional<Change> at_once_;  ///< how the ray comes to be where it is
+    std::size_t turning_ = 0;        ///< in search_.started(): the face of a change without event
+    bool at_start_ = false;
+    bool expected_ = false;  ///< whether it is taken to be inside, where no list tells
 };
 
 }  // namespace lancer

@@ -116,9 +116,13 @@ class CompositeSearch {
     }
 
     bool starts_on(std::uint32_t leaf) const { return start_face(leaf) != none; }
-    /// The first leaf on a face of which the line starts, or none.
-    std::uint32_t first_started() const { return started_.empty() ? none : started_.front().leaf; }
-    std::uint32_t first_face() const { return started_.front().face; }
+
+    /// A face that the line starts on, of one of the leaves.
+    struct Started {
+        std::uint32_t leaf, face;
+    };
+    using StartedList = boost::container::small_vector<Started, 4>;
+    const StartedList& started() const { return started_; }
 
   private:
     std::uint32_t start_face(std::uint32_t leaf) const {
@@ -183,14 +187,10 @@ class CompositeSearch {
         return false;
     }
 
-    struct Started {
-        std::uint32_t leaf, face;
-    };
-
     const CompositeTree<Real>& tree_;
     const Ray<Real>& ray_;
     const Real first_;
-    boost::container::small_vector<Started, 4> started_;
+    StartedList started_;
 };
 
 }  // namespace lancer

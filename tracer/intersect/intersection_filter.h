@@ -107,6 +107,26 @@ class IntersectionFilter {
         return false;
     }
 
+    /// The bodies that the ray is in and the boxes of which it may start outside of.
+    ///
+    /// A start lies on one face of its contact, in the box of what has that face. A contact is as
+    /// wide as its errors: its other faces, and the box that ends with them, may lie behind the
+    /// start. A ray that leads away from there never meets the box, and a search by boxes does not
+    /// find the way out, which is at the start. A start on one face alone of a body that is no
+    /// composite is in that body's box.
+    MediaList in_beyond_boxes() const {
+        MediaList found;
+        if constexpr (lists_media) {
+            for (const std::uint32_t body : bodies_) {
+                if (body < world_.bounded && is_medium(world_.primitives[body]) &&
+                    (world_.primitives[body].composite() != nullptr ||
+                     (touches_more_ && starts_on(body))))
+                    found.push_back(body);
+            }
+        }
+        return found;
+    }
+
   private:
     static constexpr bool lists_media = !std::is_same_v<Bodies, NoMedia>;
 

@@ -122,18 +122,30 @@ Real index_of(const World<Real>& world, const Media& media) {
     return medium == nullptr ? Real(1) : medium->ior;
 }
 
-/// Removes bodies from the list whose bounds do not contain the ray's point at parameter t: a
+/// Drops the bodies that cannot hold a point beyond the contact although they are in the list: a
 /// crossing was lost. Returns how many.
+///
+/// A body that the contact leaves is not lost, wherever its bounds end. The surfaces of a contact
+/// lie apart by up to their errors, and t is that of one of them: where a line all but touches a
+/// ring, a slab that cuts the ring, and so bounds the body, ends before t by more than the
+/// roundings of places.
 template <class Real>
-std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray, Real t) {
+std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray,
+                        const Contact<Real>& contact) {
     using std::abs;
     if (media.empty()) return {};
+    const Real t = contact.front().t;
     const Vec3<Real> point = (ray.origin + t * ray.dir) + ray.origin_lo;
     const Vec3<Real> slack = gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(abs(t))) +
                              Vec3<Real>(ray.origin_error);
+    const auto is_left = [&](std::uint32_t body) {
+        return std::any_of(contact.begin(), contact.end(), [&](const Hit<Real>& hit) {
+            return hit.surface.primitive == body && !hit.surface.entering;
+        });
+    };
     const auto outside = [&](std::uint32_t body) {
         const Bounds<Real>& b = world.medium_bounds[world.primitives[body].medium_slot];
-        return !Bounds<Real>{b.min - slack, b.max + slack}.contains(point);
+        return !Bounds<Real>{b.min - slack, b.max + slack}.contains(point) && !is_left(body);
     };
     const auto end = std::remove_if(media.begin(), media.end(), outside);
     const auto lost = static_cast<std::uint64_t>(media.end() - end);

@@ -76,7 +76,25 @@ void candidates(const World<Real>& world, const Ray<Real>& ray,
              });
 }
 
-/// Which objects a query sees: all, or only those that cast shadows.
+/// The same for a ray with a start: bodies whose boxes might hide them are visited first. The
+/// search would come to nearly all of them, for a ray in a body is in its box.
+template <class Real, class Bodies, class Last, class Visit>
+void candidates_from(const World<Real>& world, const Ray<Real>& ray,
+                     const IntersectionFilter<Real, Bodies>& accept,
+                     const RayInterval<Real, Last>& interval, Visit&& visit) {
+    if constexpr (std::is_same_v<Bodies, NoMedia>) {
+        candidates(world, ray, interval, visit);
+    } else {
+        const MediaList first = accept.in_beyond_boxes();
+        for (const std::uint32_t index : first) {
+            if (visit(index)) return;
+        }
+        candidates(world, ray, interval,
+                   [&](std::uint32_t index) { return !contains(first, index) && visit(index); });
+    }
+}
+
+/// Which objects a query sees: all, or those that cast shadows.
 enum class Shadows { ignore, cast };
 
 /// The planes that may be the nearest.
@@ -172,7 +190,7 @@ Contact<Real> nearest_contact(const World<Real>& world, const Ray<Real>& ray,
     };
     planes.find(world, ray, start, accept, interval, sees, report_plane);
     found.expect(planes.limit());
-    candidates(world, ray, interval, [&](std::uint32_t index) {
+    candidates_from(world, ray, accept, interval, [&](std::uint32_t index) {
         if (!sees(index)) return false;
         crossings_from(
             world, index, ray, accept, accept.hints(index), interval,

@@ -96,7 +96,7 @@ class Whitted {
             }
             const Real t = contact.front().t;
             if (world_.has_media) {
-                counts.media_lost += drop_lost(world_, media.bodies, ray, t);
+                counts.media_lost += drop_lost(world_, media.bodies, ray, contact);
                 through = through * transmittance_between(media, start.t, t);
             }
             order_contact(world_, contact);

@@ -110,7 +110,7 @@ Occlusion query_occlusion(const World<Real>& world, const Ray<Real>& ray, Real d
         recorder.block(query.at);
         return Occlusion::blocked;
     }
-    candidates(world, ray, interval, [&](std::uint32_t index) {
+    candidates_from(world, ray, accept, interval, [&](std::uint32_t index) {
         if (!is_seen(index)) return false;
         crossings_from(world, index, ray, accept, query.hints(), interval,
                        [&](const Crossing<Real>& c, Real, Real) { return report(c); });
