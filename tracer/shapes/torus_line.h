@@ -177,7 +177,7 @@ class TorusLine {
         const Real k = k_at(at);
         const Real y = y_at(at);
         const Real noise = noise_at(k, y);
-        const Real slope = 4 * (k * climb_at(at)) + 2 * (weight_ * y) * dir_.y;
+        const Real slope = slope_of(k, y, climb_at(at));
         const Real least = sqrt(noise * most_bend());
         const Real steep = abs(slope) > least ? abs(slope) : least;
         Real error = 2 * noise / steep;
@@ -238,16 +238,21 @@ class TorusLine {
         p.climb = climb_at(at);
         p.k = k_at(at);
         p.y = y_at(at);
-        const Real weighted = weight_ * p.y;
-        p.f = p.k * p.k + weight_ * ((p.y - torus_.tube) * (p.y + torus_.tube));
-        p.slope = 4 * (p.k * p.climb) + 2 * weighted * dir_.y;
+        p.f = f_of(p.k, p.y);
+        p.slope = slope_of(p.k, p.y, p.climb);
         p.bend = 4 * (p.climb * p.climb) + 2 * (dd_ * p.k) + weight_ * (dir_.y * dir_.y);
         return p;
     }
     Real climb_at(Real at) const { return dd_ * at + along_; }
     Real k_at(Real at) const { return (dd_ * at + 2 * along_) * at + k0_; }
     Real y_at(Real at) const { return near_.y + at * dir_.y; }
-    /// A bound on the second derivative of f near the torus.
+    Real f_of(Real k, Real y) const {
+        return k * k + weight_ * ((y - torus_.tube) * (y + torus_.tube));
+    }
+    Real slope_of(Real k, Real y, Real climb) const {
+        return 4 * (k * climb) + 2 * (weight_ * y) * dir_.y;
+    }
+    /// The second derivative of f is nowhere larger near the torus.
     Real most_bend() const { return 32 * dd_ * (torus_.reach() * torus_.reach()); }
     /// A bound on the error of f: on its change when rounding moves the line.
     Real noise_at(Real k, Real y) const {
@@ -259,8 +264,7 @@ class TorusLine {
         using std::abs;
         const Real k = k_at(at);
         const Real y = y_at(at);
-        const Real f = k * k + weight_ * ((y - torus_.tube) * (y + torus_.tube));
-        return abs(f) > noise_at(k, y);
+        return abs(f_of(k, y)) > noise_at(k, y);
     }
 
     const TorusSolid<Real>& torus_;
