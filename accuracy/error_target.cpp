@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "accuracy/allocation.h"
+#include "accuracy/deciding_audits.h"
 #include "accuracy/prediction.h"
 #include "accuracy/rare_light.h"
 #include "model/elementary.h"
@@ -20,29 +21,20 @@ constexpr std::uint32_t base = 2;       // samples per pixel; a single one has n
 constexpr double few_rays = 1.5;
 constexpr std::size_t many_pixels = std::size_t(1) << 16;
 constexpr double first_aim = 4;  // the first audit is taken at this multiple of the goal's square
-constexpr int first_draws = 400;
 constexpr int most_rounds = 6;
 constexpr double most_log_error = 0.3;
-constexpr double no_better = 0.8;  // of the last mean square: a round that lowers it less failed
-// Margins in standard errors of log T, where T is a mean square. A deciding audit must lie so far
-// below the goal that the printed audit will very likely lie below it too. Refining aims a little
-// lower still.
-constexpr double deciding_margin = 3;
-constexpr double aimed_margin = 4.3;
-constexpr double sure_effective_draws = 2 * least_effective_draws;
-
-/// Draws of the largest audit. In a small picture, more would cost more than more samples.
-int most_draws(const PictureSamples& samples) {
-    const std::uint64_t most =
-        std::max<std::uint64_t>(samples.size() / 4, samples.rays().primary / 32);
-    return static_cast<int>(std::clamp<std::uint64_t>(most, 1000, 16000));
-}
-
+constexpr double no_better = 0.8;     // of the last mean square: a round that lowers it less failed
+constexpr double aimed_margin = 4.3;  // refining aims lower than deciding_margin asks
 class Search {
   public:
     Search(const Renderer& renderer, const Truth& truth, const View& view, const ErrorGoal& goal,
            const Progress& progress)
-        : renderer_(renderer), truth_(truth), view_(view), goal_(goal), progress_(progress) {
+        : renderer_(renderer),
+          truth_(truth),
+          view_(view),
+          goal_(goal),
+          progress_(progress),
+          audits_(truth, goal.max_error) {
         report_.asked = goal.max_error;
         report_.limits =
             cheapest_limits(truth, view, goal.fixed, (1 - sampling_share) * square(goal.max_error),
@@ -130,64 +122,6 @@ class Search {
         return refine(*samples_, prediction_, mean_square, most_rays_, pace());
     }
 
-    Audit audited(int draws, RayCounts& rays) {
-        Audit a = audit(truth_, *samples_, prediction_.errors(*samples_),
-                        {draws, audits_++, shares_, points_}, {});
-        rays += a.rays;
-        return a;
-    }
-
-    /// Whether the audit decides that the error is above the goal, or below it. The second needs
-    /// more effective draws: otherwise audits that met too little of the error would end the
-    /// search.
-    bool is_decided(const ErrorEstimate& e) const {
-        if (e.effective_draws < least_effective_draws || e.mean_square <= 0) return false;
-        const double above = e.mean_square * elementary::exp(-deciding_margin * e.log_error());
-        if (above > square(goal_.max_error)) return true;
-        return e.effective_draws >= sure_effective_draws && is_below(e, deciding_margin);
-    }
-
-    /// An audit that decides: half of its draws, and the others where these leave it open; then one
-    /// of more points, and larger ones, drawn by what the smaller have found, until enough draws
-    /// carry it.
-    ErrorEstimate judged() {
-        const int most = most_draws(*samples_);
-        for (;;) {
-            judge_ = audited((draws_ + 1) / 2, report_.deciding);
-            ErrorEstimate e = estimate(judge_.terms);
-            if (is_decided(e)) return e;
-            judge_.add(audited(draws_ / 2, report_.deciding));
-            e = estimate(judge_.terms);
-            if (e.all_zero || e.effective_draws >= least_effective_draws) return e;
-            if (2 * e.effective_draws >= least_effective_draws && 2 * draws_ <= most) {
-                judge_.add(audited(draws_, report_.deciding));  // as many again may be enough
-                draws_ *= 2;
-                e = estimate(judge_.terms);
-                if (e.effective_draws >= least_effective_draws) return e;
-            }
-            if (points_ < many_points) {
-                points_ = many_points;
-            } else if (draws_ < most) {
-                draws_ = std::min(most, 2 * draws_);
-            } else {
-                return e;
-            }
-            shares_ = best_shares(judge_.seen);
-        }
-    }
-
-    /// Whether estimates of few points would tell as much by fewer rays, with draws enough.
-    static bool few_points_pay(const Audit& first, const ErrorEstimate& of_many) {
-        const ErrorEstimate of_few = estimate(first.terms_of_few);
-        const auto price = [](const ErrorEstimate& e, std::uint64_t points) {
-            return square(e.log_error()) * static_cast<double>(points);
-        };
-        return of_few.mean_square > 0 && 2 * of_few.effective_draws >= least_effective_draws &&
-               price(of_few, first.points_of_few) < price(of_many, first.points);
-    }
-
-    int judged_draws() const { return static_cast<int>(judge_.terms.size()); }
-
     void correct(const ErrorEstimate& e) {
         const double predicted = prediction_.mean_square(*samples_);
         if (predicted <= 0) return;
@@ -232,37 +166,24 @@ class Search {
 
     void decide() {
         refine_to(first_aim * square(goal_.max_error));
-        const std::uint64_t before = report_.deciding.rays();
-        judge_ = audited(first_draws, report_.deciding);
-        ErrorEstimate e = estimate(judge_.terms);
-        draws_ = 1000;
+        ErrorEstimate e = audits_.first(*samples_, prediction_, report_.deciding);
         double expected_error = 0;
-        const bool is_settled = is_decided(e) && is_below(e, deciding_margin);
+        const bool is_settled = audits_.is_decided(e) && audits_.is_below(e, deciding_margin);
         if (!e.all_zero) {  // otherwise there is nothing to correct by
             correct(e);
-            // An audit that is the last to decide must have drawn as the printed one will.
-            double rays_of_first = static_cast<double>(report_.deciding.rays() - before);
-            ErrorEstimate known = e;
-            if (!is_settled) {
-                shares_ = best_shares(judge_.seen);
-                if (few_points_pay(judge_, e)) {
-                    points_ = few_points;
-                    known = estimate(judge_.terms_of_few);
-                    rays_of_first *= double(judge_.points_of_few) / double(judge_.points);
-                }
-            }
-            draws_ = best_draws(known, rays_of_first);
-            expected_error = log_error(known, first_draws, draws_);
+            const DecidingAudits::Outlook outlook = audits_.after_first(is_settled);
+            audits_.set_draws(best_draws(outlook.estimate, outlook.rays));
+            expected_error = log_error(outlook.estimate, first_draws, audits_.draws());
         }
         if (is_settled ? misses_rare_light() : !decide_by_rounds(e, expected_error)) return;
         // The draws that a told interval needs, estimated from the last audit.
-        const double needed =
-            std::max<double>(draws_, judged_draws() * square(e.log_error() / told_log_error));
+        const double needed = std::max<double>(
+            audits_.draws(), audits_.last_draws() * square(e.log_error() / told_log_error));
         report_.effective_draws = e.effective_draws;
-        report_.dominant = dominant_pixels(judge_, *samples_, 3);
+        report_.dominant = dominant_pixels(audits_.last(), *samples_, 3);
         report_.is_told = e.effective_draws >= least_effective_draws &&
-                          needed <= std::max(draws_, most_draws(*samples_));
-        if (report_.is_told) draws_ = static_cast<int>(needed);
+                          needed <= std::max(audits_.draws(), most_draws(*samples_));
+        if (report_.is_told) audits_.set_draws(static_cast<int>(needed));
     }
 
     /// Refines and audits in turn until an audit lies below the goal. `e` is then that audit's
@@ -273,9 +194,9 @@ class Search {
             const double target = aim(expected_error);
             const bool refined = target > 0 && refine_to(target);
             if (misses_rare_light()) return false;
-            e = judged();
-            expected_error = log_error(e, judged_draws(), draws_);
-            if (!refined || is_below(e, deciding_margin)) break;
+            e = audits_.judge(*samples_, prediction_, report_.deciding);
+            expected_error = log_error(e, audits_.last_draws(), audits_.draws());
+            if (!refined || audits_.is_below(e, deciding_margin)) break;
             // After a new beginning in the last round, nothing would refine the picture any more.
             const bool may_begin_anew = round > 0 && round + 1 < most_rounds;
             if (may_begin_anew && e.mean_square > no_better * earlier && cuts_too_much()) {
@@ -285,7 +206,7 @@ class Search {
             }
             earlier = e.mean_square;
             correct(e);
-            shares_ = best_shares(judge_.seen);
+            audits_.learn_shares();
         }
         return true;
     }
@@ -297,7 +218,7 @@ class Search {
         if (whole.max_depth == report_.limits.max_depth &&
             whole.min_contribution == report_.limits.min_contribution)
             return false;
-        const std::vector<PixelShare> worst = dominant_pixels(judge_, *samples_, 20);
+        const std::vector<PixelShare> worst = dominant_pixels(audits_.last(), *samples_, 20);
         if (share_cut(truth_, *samples_, report_.limits, worst, report_.deciding) < 0.3)
             return false;
         report_.limits = whole;
@@ -318,22 +239,16 @@ class Search {
         return true;
     }
 
-    bool is_below(const ErrorEstimate& e, double margin) const {
-        if (e.all_zero) return true;
-        if (e.mean_square <= 0) return false;
-        return e.mean_square * elementary::exp(margin * e.log_error()) <= square(goal_.max_error);
-    }
-
     /// The audit that is printed. It is not taken where the error cannot be told. A part is the
     /// exception: its draws may be enough together with those of the other parts.
     void print() {
         report_.audited = true;
-        const bool found_none = !report_.rare_light && estimate(judge_.terms).all_zero;
+        const bool found_none = !report_.rare_light && estimate(audits_.last().terms).all_zero;
         const bool is_part_of_told = goal_.rows && !report_.rare_light;
         if (!report_.is_told && !found_none && !is_part_of_told) return;
-        const Audit last = audited(draws_, report_.printed);
-        report_.error = estimate(last.terms, judge_.terms);
-        sums_.deciding = TermSums(judge_.terms);
+        const Audit last = audits_.separate(*samples_, prediction_, report_.printed);
+        report_.error = estimate(last.terms, audits_.last().terms);
+        sums_.deciding = TermSums(audits_.last().terms);
         sums_.printed = TermSums(last.terms);
         if (!found_none) return;
         report_.effective_draws = report_.error.effective_draws;
@@ -350,14 +265,10 @@ class Search {
     std::optional<PictureSamples> samples_;
     Prediction prediction_;
     std::optional<RareLight> rare_;
+    DecidingAudits audits_;
     double bias_ = 0;  ///< mean squared error that no samples remove
     std::uint64_t most_rays_ = 0;
-    std::uint64_t audits_ = 0;
-    int draws_ = 0;
-    DrawShares shares_ = first_shares;
-    std::uint32_t points_ = many_points;  ///< of an estimate, in the next audit
-    Audit judge_;                         ///< the last that decided
-    double expected_ = 0;                 ///< samples of the whole picture, for progress
+    double expected_ = 0;  ///< samples of the whole picture, for progress
 };
 
 }  // namespace
