@@ -76,6 +76,13 @@ std::size_t find_invalid_utf8(std::string_view text, std::size_t from) {
 std::string printable(std::string_view text) {
     std::string shown;
     for (std::size_t at = 0; at < text.size();) {
+        const auto plain = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(),
+                                        [](char c) { return c < ' ' || c > '~'; });
+        if (const auto end = static_cast<std::size_t>(plain - text.begin()); end > at) {
+            shown += text.substr(at, end - at);
+            at = end;
+            continue;
+        }
         const std::size_t length = sequence_length(text.substr(at));
         const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
         const auto first = static_cast<unsigned char>(character[0]);

@@ -35,7 +35,7 @@ Script parse_script(const std::string& name, std::string text, const Limits& lim
     Script script;
     script.program = std::make_unique<Program>();
     Program& program = *script.program;
-    Report report(found);
+    Report report(found, limits.errors);
     constexpr std::uint64_t longest = 0xFFFFFFFE;  // offsets are 32 bits wide
     const std::uint64_t most = std::min(limits.source_bytes, longest);
     const bool too_long = text.size() > most;
@@ -54,13 +54,16 @@ Script parse_script(const std::string& name, std::string text, const Limits& lim
 Evaluation evaluate(const Script& script, const Definitions& definitions, const Limits& limits,
                     SourceMap& sources, std::vector<Diagnostic>& found, const Loader& loader) {
     Evaluation result;
-    Report report(found);
-    Report usage(result.usage_errors);
+    Report report(found, limits.errors);
+    Report usage(result.usage_errors, limits.errors);
     try {
         Evaluator evaluator(*script.program, definitions, limits, sources, report, loader);
         try {
-            Evaluator command_line(*script.program, definitions, limits, sources, usage, loader);
-            evaluator.define(command_line.evaluate_definitions());
+            std::vector<std::pair<Symbol, Value>> defined;
+            if (!definitions.values.empty())
+                defined = Evaluator(*script.program, definitions, limits, sources, usage, loader)
+                              .evaluate_definitions();
+            evaluator.define(defined);
             evaluator.run();
             evaluator.check_unreached();
             evaluator.check_definitions(usage);

@@ -27,9 +27,9 @@ struct Limits {
     std::uint64_t source_bytes = 64ull << 20;   ///< all files together
     std::uint64_t list_elements = 100'000'000;  ///< made during the whole run
     std::uint64_t objects = 5'000'000;  ///< shapes; as many lights, cameras, materials, textures
-    std::uint64_t held_bytes = 1ull << 30;  ///< of lists and strings at one time
-    /// made during the whole run, including printed lines
-    std::uint64_t text_bytes = 256ull << 20;
+    std::uint64_t held_bytes = 1ull << 30;    ///< of lists and strings at one time
+    std::uint64_t text_bytes = 256ull << 20;  ///< strings ever made, printed lines included
+    std::uint64_t errors = 100;               ///< after which the rest is not reported
 };
 
 /// What the command line defines for a script's params.

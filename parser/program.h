@@ -29,7 +29,7 @@ struct LoadedScript {
 };
 
 struct Program {
-    Symbols symbols = language_words().symbols;
+    Symbols symbols{&language_words().symbols};
     const Vocabulary& vocabulary = language_words().vocabulary;
     ast::File main;
 

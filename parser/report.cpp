@@ -10,7 +10,8 @@ constexpr std::size_t most_call_notes = 8;
 
 }  // namespace
 
-Report::Report(std::vector<Diagnostic>& found) : found_(found) {
+Report::Report(std::vector<Diagnostic>& found, std::uint64_t most_errors)
+    : found_(found), most_errors_(most_errors) {
     for (const Diagnostic& diagnostic : found) {
         if (diagnostic.severity == Severity::error) ++errors_;
         if (diagnostic.severity == Severity::note) full_ = true;  // too_many_errors
@@ -27,9 +28,9 @@ Diagnostic* Report::add(Severity severity, Message message, const SourceSpan& wh
     if (!seen_.emplace(where.file, where.offset, message, which).second) return nullptr;
     if (severity == Severity::warning) {
         ++warnings_;
-    } else if (errors_++ == most_errors) {
+    } else if (errors_++ == most_errors_) {
         full_ = true;
-        found_.push_back(note(Message::too_many_errors, SourceSpan{}, most_errors));
+        found_.push_back(note(Message::too_many_errors, SourceSpan{}, most_errors_));
         throw StopReading{};
     }
     Diagnostic& diagnostic = found_.emplace_back();

@@ -25,8 +25,9 @@ struct CallSite {
 
 class Report {
   public:
-    /// Adds to `found`, which may already hold errors of an earlier stage.
-    explicit Report(std::vector<Diagnostic>& found);
+    /// Adds to `found`, where the errors of an earlier stage may stand already. After `most_errors`
+    /// the rest is not reported.
+    Report(std::vector<Diagnostic>& found, std::uint64_t most_errors);
 
     /// Adds a diagnostic, unless the same message was reported for this place. Returns it, for
     /// hints and notes, or nullptr. The pointer is valid until the next call.
@@ -49,8 +50,6 @@ class Report {
 
     bool any_error() const { return errors_ > 0; }
 
-    /// The maximum number of errors of one run.
-    static constexpr std::size_t most_errors = 100;
     static constexpr std::size_t most_warnings = 100;
 
   private:
@@ -61,8 +60,9 @@ class Report {
     Diagnostic* add(Severity severity, Message message, const SourceSpan& where, std::string text);
 
     std::vector<Diagnostic>& found_;
+    const std::uint64_t most_errors_;
     std::set<std::tuple<std::uint32_t, std::uint32_t, Message, std::string>> seen_;
-    std::size_t errors_ = 0;
+    std::uint64_t errors_ = 0;
     std::size_t warnings_ = 0;
     bool full_ = false;
 };

@@ -1,6 +1,7 @@
 // Suggestions for misspelt words: "did you mean …?"
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ class Suggestion {
 
   private:
     std::string_view word_;
+    std::uint32_t letters_;
     std::string best_;
     std::size_t least_;
 };

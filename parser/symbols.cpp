@@ -13,15 +13,23 @@ std::uint64_t hash_of(std::string_view text) {
 
 }  // namespace
 
-Symbols::Symbols() : slots_(1024) {}
+Symbol Symbols::find(std::string_view text, std::uint64_t hash) const {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t at = hash & mask; slots_[at].symbol != no_symbol; at = (at + 1) & mask)
+        if (slots_[at].hash == hash && this->text(slots_[at].symbol) == text)
+            return slots_[at].symbol;
+    return no_symbol;
+}
 
 Symbol Symbols::intern(std::string_view text) {
     const std::uint64_t hash = hash_of(text);
+    if (first_ != nullptr)
+        if (const Symbol known = first_->find(text, hash); known != no_symbol) return known;
+    if (const Symbol known = find(text, hash); known != no_symbol) return known;
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = hash & mask;
-    for (; slots_[at].symbol != no_symbol; at = (at + 1) & mask)
-        if (slots_[at].hash == hash && texts_[slots_[at].symbol] == text) return slots_[at].symbol;
-    const auto symbol = static_cast<Symbol>(texts_.size());
+    while (slots_[at].symbol != no_symbol) at = (at + 1) & mask;
+    const auto symbol = static_cast<Symbol>(size());
     texts_.emplace_back(text);
     slots_[at] = {hash, symbol};
     if (2 * texts_.size() > slots_.size()) grow();

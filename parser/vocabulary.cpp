@@ -1,5 +1,7 @@
 #include "parser/vocabulary.h"
 
+#include "parser/functions.h"
+
 namespace lancer {
 
 void PropertySet::add(Symbol word, const Field& field) {
@@ -55,6 +57,15 @@ const PropertySet& Vocabulary::properties(Symbol keyword, Symbol name) const {
     if (holds_statements(keyword)) return in_statements_;
     if (const BlockWord* found = block(keyword, name)) return found->properties;
     return keyword == light ? any_light_ : any_;
+}
+
+LanguageWords::LanguageWords() {
+    for (const Function& function : all_functions()) {
+        const Symbol symbol = symbols.intern(function.name);
+        if (functions.size() <= symbol) functions.resize(symbol + 1, nullptr);
+        functions[symbol] = &function;
+    }
+    for (const Constant& constant : all_constants()) symbols.intern(constant.name);
 }
 
 const LanguageWords& language_words() {

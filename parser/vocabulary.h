@@ -10,7 +10,9 @@
 
 namespace lancer {
 
-/// The properties of one block, by symbol.
+struct Function;
+
+/// The properties of one block by symbol.
 class PropertySet {
   public:
     static constexpr std::uint8_t unknown = 0xFF;
@@ -73,8 +75,11 @@ class Vocabulary {
 
 /// The language's own words. Their symbols are the same in every program.
 struct LanguageWords {
+    LanguageWords();
+
     Symbols symbols;
     Vocabulary vocabulary{symbols};
+    std::vector<const Function*> functions;  ///< by symbol
 };
 const LanguageWords& language_words();
 

@@ -7,11 +7,6 @@ namespace lancer {
 
 Names::Names(const Context& context) : context_(context) {
     Symbols& symbols = context.program.symbols;
-    for (const Function& function : all_functions()) {
-        const Symbol symbol = symbols.intern(function.name);
-        if (functions_.size() <= symbol) functions_.resize(symbol + 1, nullptr);
-        functions_[symbol] = &function;
-    }
     for (const Constant& constant : all_constants())
         set_constant(symbols.intern(constant.name), constant.value);
 }

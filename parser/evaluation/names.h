@@ -43,7 +43,7 @@ class Names {
 
     const Context context_;
     Scopes scopes_;
-    std::vector<const Function*> functions_;  ///< by symbol
+    const std::vector<const Function*>& functions_ = language_words().functions;
     std::unordered_map<Symbol, Value> constants_;
     const Value broken_;
 };

@@ -11,6 +11,14 @@ std::string with_article(const std::string& title) {
     return (vowel ? "an " : "a ") + title;
 }
 
+/// "center, radius, material, ...".
+static std::string list_of(const PropertySet& properties) {
+    std::string all;
+    for (const Field* field : properties.fields())
+        all.append(all.empty() ? "" : ", ").append(field->name);
+    return all;
+}
+
 std::string_view report_unknown_property(const ast::File& file, const ast::Statement& property,
                                          const PropertySet& known, const std::string& title,
                                          const Context& context) {
@@ -18,11 +26,7 @@ std::string_view report_unknown_property(const ast::File& file, const ast::State
     Diagnostic* error = context.report.error(Message::unknown_property, file.span(property), word,
                                              with_article(title));
     Suggestion suggestion(word);
-    std::string all;
-    for (const Field* field : known.fields()) {
-        suggestion.consider(field->name);
-        all += (all.empty() ? "" : ", ") + std::string(field->name);
-    }
+    for (const Field* field : known.fields()) suggestion.consider(field->name);
     if (error != nullptr) {
         const Vocabulary& vocabulary = context.vocabulary();
         const bool of_material =
@@ -33,7 +37,7 @@ std::string_view report_unknown_property(const ast::File& file, const ast::State
                       : of_material
                           ? "'" + std::string(word) + "' is a property of materials: material { " +
                                 std::string(word) + " ... }"
-                      : instead.empty() ? with_article(title) + " has " + all
+                      : instead.empty() ? with_article(title) + " has " + list_of(known)
                                         : std::string(instead);
     }
     for (const Field* field : known.fields())

@@ -5,6 +5,7 @@
 #include <tao/pegtl/contrib/analyze.hpp>
 
 #include "model/utf8.h"
+#include "parser/css_colors.h"
 #include "parser/suggest.h"
 #include "tests/parser/script.h"
 
@@ -57,6 +58,23 @@ TEST(Suggestion, TakesTheNearestWordAndOnlyANearOne) {
     EXPECT_EQ(edit_distance("abcd", "abdc", 9), 1u);
     EXPECT_EQ(edit_distance("sphere", "Spheres", 9), 1u);
     EXPECT_EQ(edit_distance("abc", "xyz", 2), 3u);
+}
+
+/// Most words are ruled out by their letters alone.
+TEST(Suggestion, LeavesNoNearWordOut) {
+    for (const CssColor& written : css_colors()) {
+        for (const CssColor& known : css_colors()) {
+            if (written.name == known.name) continue;
+            const std::size_t distance = edit_distance(written.name, known.name, 99);
+            Suggestion suggestion(written.name);
+            suggestion.consider(known.name);
+            EXPECT_EQ(!suggestion.empty(),
+                      distance <= (written.name.size() + 1) / 3 && distance < known.name.size())
+                << written.name << ' ' << known.name;
+        }
+    }
+    const std::string longer(150, 'a');
+    EXPECT_EQ(edit_distance(longer + "b", longer + "c", 9), 1u);
 }
 
 TEST(Utf8, FindsTheFirstByteThatIsNone) {

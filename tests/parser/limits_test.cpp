@@ -91,6 +91,14 @@ TEST(Limits, EachIsAnErrorAtItsPlace) {
     EXPECT_EQ(message(repeated(" ", 100) + "include \"long\""), "'long' is too long");
 }
 
+TEST(Limits, OfErrorsLeavesTheRestOut) {
+    Limits limits;
+    limits.errors = 3;
+    const auto result = run(repeated("sphere { raduis 1 }\n", 5), {}, {}, limits);
+    ASSERT_EQ(result.found.size(), 4u);
+    EXPECT_EQ(result.found.back().message, "more than 3 errors: the rest is not shown");
+}
+
 TEST(Limits, ListsThatShareTheirPartsDoNotExplode) {
     Limits limits;
     limits.list_elements = 1'000'000;
