@@ -1,25 +1,12 @@
 // What a piece of a patch predicts about a line (tracer/splines/piece_frame.h), compared with the
 // crossings of the exact method behind it.
+#include "tests/oracle/random_patch.h"
 #include "tests/oracle/tally.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/shapes/bicubic.h"
 
 namespace lancer::oracle {
 namespace {
-
-/// In some of the cases the net is skewed, thin or nearly folded.
-Patch random_patch(Draw& draw, double size) {
-    const double thin = draw.number() % 48 == 0 ? draw.decade(-6, 0) : 1;
-    const double rough = draw.between(0, 0.6);
-    Patch patch;
-    for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < 4; ++j)
-            patch.control.push_back(size * Vec3d(j + rough * draw.between(-1, 1),
-                                                 draw.between(-1, 1),
-                                                 thin * i + thin * rough * draw.between(-1, 1)));
-    }
-    return patch;
-}
 
 std::vector<Crossing<double>> crossings_of(const PieceTree<double>& tree, std::uint32_t piece,
                                            const Ray<double>& ray) {

@@ -30,6 +30,11 @@ struct WideKernels {
                     WideAnswer* out);
     void (*torus)(const wide::Torus& torus, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
+    /// \param exact    knows the patch
+    /// \param face     a piece that the rays start on, or `nothing`
+    /// \param normals  of what they start on; null: unknown
+    void (*patch)(wide::ExactMethods& exact, const wide::LaneRay* rays, std::uint32_t face,
+                  const double (*normals)[3], double limit, WideAnswer* out);
     void (*plane)(const wide::Plane& plane, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
     /// Tests the first triangle of the block. `unsure`: the test of all four triangles excluded the
@@ -46,6 +51,8 @@ struct WideKernels {
     /// \param own  the rays start on it
     void (*torus_shadow)(const wide::Torus& torus, const wide::LaneRay* rays, bool own,
                          double distance, WideAnswer* out);
+    void (*patch_shadow)(wide::ExactMethods& exact, const wide::LaneRay* rays, std::uint32_t face,
+                         const double (*normals)[3], double distance, WideAnswer* out);
     void (*plane_shadow)(const wide::Plane& plane, const wide::LaneRay* rays, double distance,
                          WideAnswer* out);
     void (*slabs)(const wide::Tree& tree, const wide::LaneRay* rays, double limit, WideSlabs* out);

@@ -35,6 +35,21 @@ inline void put_answers(Mask hit, Mask unsure, oracle::WideAnswer* out) {
         out[i] = {(hit >> i & 1) != 0, (unsure >> i & 1) != 0, false, 0, 0, 0, 0};
 }
 
+/// All eight on a face of the first item, or on nothing.
+///
+/// \param normals  of what they start on; null: unknown
+inline Starts starts_on(std::uint32_t face, const double (*normals)[3]) {
+    Starts starts;
+    put_some(starts.item, 255, face == nothing ? nothing : 0);
+    put_some(starts.left, 255, nothing);
+    put_some(starts.face, 255, face);
+    if (normals != nullptr) {
+        starts.planes = 255;
+        for (int i = 0; i < lanes; ++i) set_lane(starts.normal, i, normals[i]);
+    }
+    return starts;
+}
+
 inline void ball_kernel(const Ball& ball, const LaneRay* rays, double limit,
                         oracle::WideAnswer* out) {
     NearestHits hits;
@@ -68,6 +83,23 @@ inline void torus_kernel(const Torus& torus, const LaneRay* rays, double limit,
     hits.limit = all(limit);
     hits.unsure |= torus_crossings(Scene{}, torus, 0, rays_of(rays), 255, 0, hits);
     put_answers(hits, out);
+}
+inline void patch_kernel(ExactMethods& exact, const LaneRay* from, std::uint32_t face,
+                         const double (*normals)[3], double limit, oracle::WideAnswer* out) {
+    NearestHits hits;
+    hits.limit = all(limit);
+    const Rays rays = rays_of(from);
+    Job job{};
+    job.exact = &exact;
+    const Starts starts = starts_on(face, normals);
+    PatchSpaces spaces;
+    patch_crossings(job, 0, spaces.rays_in(Scene{}, {nothing}, rays, starts), starts, 255, hits);
+    put_answers(hits, out);
+    for (int i = 0; i < lanes; ++i) {
+        out[i].u = lane(hits.u, i);
+        out[i].v = lane(hits.v, i);
+        out[i].face = out[i].hit ? hits.face[i] : 0;
+    }
 }
 inline void plane_kernel(const Plane& plane, const LaneRay* rays, double limit,
                          oracle::WideAnswer* out) {
@@ -123,6 +155,18 @@ inline void torus_shadow_kernel(const Torus& torus, const LaneRay* rays, bool ow
                                 oracle::WideAnswer* out) {
     const TorusShadow shadow(Scene{}, torus, rays_of(rays), 255, own ? 255 : 0, all(distance));
     put_answers(shadow.blocks, shadow.unsure, out);
+}
+inline void patch_shadow_kernel(ExactMethods& exact, const LaneRay* from, std::uint32_t face,
+                                const double (*normals)[3], double distance,
+                                oracle::WideAnswer* out) {
+    const Rays rays = rays_of(from);
+    Job job{};
+    job.exact = &exact;
+    const Starts starts = starts_on(face, normals);
+    PatchSpaces spaces;
+    const PatchShadow shadow(job, 0, spaces.rays_in(Scene{}, {nothing}, rays, starts), starts, 255,
+                             all(distance));
+    put_answers(shadow.blocks, shadow.unsure & ~shadow.blocks, out);
 }
 inline void plane_shadow_kernel(const Plane& plane, const LaneRay* rays, double distance,
                                 oracle::WideAnswer* out) {
@@ -260,10 +304,13 @@ inline void arc_cosine_kernel(const double* x, double* out) {
 }
 
 inline constexpr oracle::WideKernels kernels{
-    ball_kernel,       from_ball_kernel,      box_kernel,          frustum_kernel,
-    torus_kernel,      plane_kernel,          triangle_kernel,     ball_shadow_kernel,
-    box_shadow_kernel, frustum_shadow_kernel, torus_shadow_kernel, plane_shadow_kernel,
-    slabs_kernel,      local_kernel,          alone_kernel,        lone_mesh_kernel,
-    surfaces_kernel,   bend_kernel,           power_kernel,        arc_cosine_kernel};
+    ball_kernel,         from_ball_kernel,      box_kernel,
+    frustum_kernel,      torus_kernel,          patch_kernel,
+    plane_kernel,        triangle_kernel,       ball_shadow_kernel,
+    box_shadow_kernel,   frustum_shadow_kernel, torus_shadow_kernel,
+    patch_shadow_kernel, plane_shadow_kernel,   slabs_kernel,
+    local_kernel,        alone_kernel,          lone_mesh_kernel,
+    surfaces_kernel,     bend_kernel,           power_kernel,
+    arc_cosine_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -5,6 +5,7 @@
 #include "tests/oracle/tally.h"
 #include "tests/oracle/wide_kernels.h"
 #include "tests/oracle/wide_levels.h"
+#include "tests/oracle/wide_methods.h"
 #include "tracer/compile/compile.h"
 #include "tracer/intersect/nearest_contact.h"
 #include "tracer/shading/optics.h"
@@ -15,27 +16,15 @@ namespace lancer::oracle {
 namespace {
 
 /// Counts the hits that scalar code must handle, and handles none.
-class NoMethods final : public wide::ExactMethods {
+class NoSurfaces final : public NoMethods {
   public:
     std::size_t asked = 0;
 
-    void trace(const wide::LaneRay&, const wide::LaneStart&, double, int, double*) override {}
-    void follow(const wide::LaneRay&, const wide::LaneStart&, double, int, const double*,
-                const wide::LightSink&) override {}
-    void shade(const wide::LaneRay&, const wide::LaneHit&, double, int, double*) override {}
-    void behind(const double*, double*) override {}
     void surface(const wide::LaneRay&, const wide::LaneHit&, wide::LaneSurface& s) override {
         ++asked;
         s = {};
         s.error = -1;
     }
-    void light(std::size_t, const double*, const double*, wide::LaneLight&) override {}
-    void crossings(std::uint32_t, const wide::LaneRay&, const wide::LaneStart&,
-                   const wide::HitSink&) override {}
-    bool blocks(std::uint32_t, const wide::LaneRay&, const wide::LaneStart&, double) override {
-        return false;
-    }
-    void light_share(const wide::LaneRay&, const wide::LaneStart&, double, double*) override {}
 };
 
 /// Balls, boxes, cylinders, cones and planes, and rings and meshes in frames, smooth and flat.
@@ -123,7 +112,7 @@ TEST(OracleWide, Surfaces) {
             const double y = unit(random);
             return normalize(Vec3d(x, y, unit(random)) + Vec3d(1e-3));
         };
-        NoMethods exact;
+        NoSurfaces exact;
         std::size_t checked = 0;
         for (int k = 0; k < 12; ++k) {
             const Scene scene = shapes(random);

@@ -84,6 +84,7 @@ struct PieceStart {
     Vec3<Real> at;
     Real noise;
 
+    PieceStart(const Vec3<Real>& at_, Real noise_) : at(at_), noise(noise_) {}
     PieceStart(const typename PieceTree<Real>::Home& home, const Ray<Real>& ray)
         : at(start_from(ray, home.anchor)),
           noise(gamma<Real>(32) * home.size + gamma<Real>(8) * max_component(absolute(at)) +
@@ -92,34 +93,68 @@ struct PieceStart {
 
 /// The crossings with one piece. Projected along the ray, the piece is a map of (u, v) to a plane.
 /// The zeros of the map are the crossings. The coordinate along the ray then gives t.
-template <class Real, class Report>
-void piece_crossings(const splines::Piece<Real>& piece, std::uint32_t index,
-                     const PieceStart<Real>& start, const Shear<Real>& s, Report&& report) {
-    using std::abs;
-    const auto axis = [&](int k) -> const std::array<Real, 16>& {
-        return piece.c[static_cast<std::size_t>(k)];
-    };
-    const auto& along = axis(s.z);
-    splines::PlaneNet<Real> net;
-    const Real x0 = start.at[s.x] - s.sx * start.at[s.z];
-    const Real y0 = start.at[s.y] - s.sy * start.at[s.z];
-    for (std::size_t i = 0; i < 16; ++i) {
-        net[i] = {(axis(s.x)[i] - s.sx * along[i]) - x0, (axis(s.y)[i] - s.sy * along[i]) - y0};
+template <class Real>
+class PieceSight {
+  public:
+    /// \param index  of the piece
+    PieceSight(const splines::Piece<Real>& piece, std::uint32_t index,
+               const PieceStart<Real>& start, const Shear<Real>& shear)
+        : piece_(piece), index_(index), start_(start), shear_(shear) {
+        const Shear<Real>& s = shear;
+        const auto& along = axis(s.z);
+        const Real x0 = start.at[s.x] - s.sx * start.at[s.z];
+        const Real y0 = start.at[s.y] - s.sy * start.at[s.z];
+        for (std::size_t i = 0; i < 16; ++i) {
+            net_[i] = {(axis(s.x)[i] - s.sx * along[i]) - x0,
+                       (axis(s.y)[i] - s.sy * along[i]) - y0};
+        }
     }
-    const auto found = [&](const splines::PlaneZero<Real>& zero) {
+
+    /// Calls report(Crossing, u, v).
+    template <class Report>
+    void search(Report&& report) const {
+        search(net_, 0, 0, 1, 1, report);
+    }
+    /// The same for a part of the square, where the map's coefficients are `net`.
+    template <class Report>
+    void search(const splines::PlaneNet<Real>& net, Real u, Real v, Real du, Real dv,
+                Report&& report) const {
+        const auto found = [&](const splines::PlaneZero<Real>& zero) {
+            report(crossing(zero), zero.u, zero.v);
+        };
+        splines::PlaneZeros<Real, decltype(found)>(start_.noise, found).search(net, u, v, du, dv);
+    }
+
+  private:
+    const std::array<Real, 16>& axis(int k) const { return piece_.c[static_cast<std::size_t>(k)]; }
+
+    Crossing<Real> crossing(const splines::PlaneZero<Real>& zero) const {
+        using std::abs;
         const splines::CubicBasis<Real> bu(zero.u);
         const splines::CubicBasis<Real> bv(zero.v);
-        const splines::BicubicValue<Real> z(along, bu, bv);
-        const splines::PlaneValue<Real> across(net, bu, bv);
+        const splines::BicubicValue<Real> z(axis(shear_.z), bu, bv);
+        const splines::PlaneValue<Real> across(net_, bu, bv);
         Crossing<Real> c;
-        c.t = (z.value - start.at[s.z]) * s.sz;
-        c.error = abs(s.sz) * (start.noise + abs(z.du) * zero.slack_u + abs(z.dv) * zero.slack_v) +
-                  gamma<Real>(3) * abs(c.t);
-        c.face = index;
+        c.t = (z.value - start_.at[shear_.z]) * shear_.sz;
+        c.error =
+            abs(shear_.sz) * (start_.noise + abs(z.du) * zero.slack_u + abs(z.dv) * zero.slack_v) +
+            gamma<Real>(3) * abs(c.t);
+        c.face = index_;
         c.entering = across.du[0] * across.dv[1] - across.dv[0] * across.du[1] > 0;
-        report(c, zero.u, zero.v);
-    };
-    splines::PlaneZeros<Real, decltype(found)>(start.noise, found).search(net);
+        return c;
+    }
+
+    const splines::Piece<Real>& piece_;
+    const std::uint32_t index_;
+    const PieceStart<Real>& start_;
+    const Shear<Real>& shear_;
+    splines::PlaneNet<Real> net_;
+};
+
+template <class Real, class Report>
+void piece_crossings(const splines::Piece<Real>& piece, std::uint32_t index,
+                     const PieceStart<Real>& start, const Shear<Real>& shear, Report&& report) {
+    PieceSight<Real>(piece, index, start, shear).search(report);
 }
 
 /// The result of a filter that computes no exact crossing.

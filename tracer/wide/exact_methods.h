@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tracer/wide/scene.h"
+
 namespace lancer::wide {
 
 /// One ray: Ray<double>.
@@ -51,6 +53,19 @@ struct HitSink {
     void (*add)(void* self, const LaneHit& hit);
 };
 
+/// A ray as it sees the pieces of a patch: PieceStart<double> and Shear<double>.
+struct PieceLine {
+    double at[3], noise;
+    double sx, sy, sz;
+    int x, y, z;
+};
+
+/// Part of a piece's square, and the coefficients there of the plane's map.
+struct PlanePart {
+    double net[16][2];
+    double u, v, du, dv;
+};
+
 /// Receives terms of light.
 struct LightSink {
     void* self;
@@ -80,6 +95,13 @@ class ExactMethods {
     /// The crossings with one item that count, up to the sink's limit.
     virtual void crossings(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                            const HitSink& sink) = 0;
+    /// The pieces of a patch, which are cut when they are first asked for.
+    virtual void patch(std::uint32_t item, PatchShape& shape) = 0;
+    /// All crossings of a line with a piece, without an item; its limit is not asked.
+    ///
+    /// \param part  of the piece that is left to look at; null: all
+    virtual void piece_crossings(const PatchPiece& piece, const PieceLine& line,
+                                 const PlanePart* part, const HitSink& sink) = 0;
     /// Whether the item blocks the way to a light.
     virtual bool blocks(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                         double distance) = 0;

@@ -1,5 +1,6 @@
 #include "tracer/wide/flat_world.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace lancer::wide {
@@ -56,6 +57,8 @@ bool is_pattern(const lancer::Pattern<double>& texture) {
            std::holds_alternative<GradientPattern<double>>(texture);
 }
 
+}  // namespace
+
 Tree tree_of(const Bvh<double>& bvh) {
     Tree tree{};
     tree.nodes = reinterpret_cast<const Node*>(bvh.nodes.data());
@@ -64,8 +67,6 @@ Tree tree_of(const Bvh<double>& bvh) {
     put(bvh.bounds.max, tree.max);
     return tree;
 }
-
-}  // namespace
 
 FlatWorld::FlatWorld(const World<double>& world) {
     items_.reserve(world.primitives.size());
@@ -94,6 +95,8 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.boxes = boxes_.data();
     scene_.frustums = frustums_.data();
     scene_.tori = tori_.data();
+    scene_.patches = patches_.data();
+    scene_.has_patches = !patches_.empty();
     scene_.finishes = finishes_.data();
     scene_.texture_of = textures_.empty() ? nullptr : texture_of_.data();
     scene_.textures = textures_.data();
@@ -121,6 +124,11 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
         item.shape = static_cast<std::uint32_t>(tori_.size());
         tori_.push_back({torus->ring, torus->tube, torus->shrink, torus->grow, primitive.frame});
     }
+    if (std::holds_alternative<BicubicSolid<double>>(primitive.solid)) {
+        item.kind = Kind::patch;
+        item.shape = static_cast<std::uint32_t>(patches_.size());
+        patches_.push_back({frame_of_patch(primitive.frame)});
+    }
     // A composite shows the materials of its leaves, so the exact methods shade it.
     item.material = primitive.composite() == nullptr ? primitive.material : finish_of_composites_;
     item.convex = primitive.convex;
@@ -131,6 +139,19 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
     if (world.has_media) medium_slots_.push_back(primitive.medium_slot);
     items_.push_back(item);
     if (world.has_textures) texture_of_.push_back(add_texture(primitive, world));
+}
+
+/// Patches of one object stand in frames of their own that are mostly alike; a ray is then taken
+/// into the first of them.
+std::uint32_t FlatWorld::frame_of_patch(std::uint32_t frame) {
+    if (frame == none) return frame;
+    const Frame& f = frames_[frame];
+    std::array<double, 12> map;
+    std::copy_n(&f.to_world[0][0], 9, map.begin());
+    std::copy_n(f.shift, 3, map.begin() + 9);
+    const auto [first, is_new] = frames_of_patches_.try_emplace(map, frame);
+    // What follows from the map is alike, too; how far rounding moved the object may not be.
+    return frames_[first->second].transform_error == f.transform_error ? first->second : frame;
 }
 
 void FlatWorld::add_patterns(const World<double>& world) {

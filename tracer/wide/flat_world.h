@@ -1,6 +1,7 @@
 // A world as plain arrays, for code that must not call functions from elsewhere: wide/scene.h.
 #pragma once
 
+#include <array>
 #include <map>
 #include <utility>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "tracer/wide/scene.h"
 
 namespace lancer::wide {
+
+Tree tree_of(const Bvh<double>& bvh);
 
 /// Holds pointers into the world and into itself, so it cannot be copied.
 class FlatWorld {
@@ -26,6 +29,7 @@ class FlatWorld {
     const MeshShape* shape_of(const MeshInstance<double>& instance);
     void add(const lancer::Finish<double>& finish, const World<double>& world);
     void add(const LightSource<double>& light, const World<double>& world);
+    std::uint32_t frame_of_patch(std::uint32_t frame);
     void add_patterns(const World<double>& world);
     std::uint32_t add_texture(const Primitive<double>& primitive, const World<double>& world);
 
@@ -38,6 +42,8 @@ class FlatWorld {
     std::vector<Box> boxes_;
     std::vector<Frustum> frustums_;
     std::vector<Torus> tori_;
+    std::vector<Patch> patches_;
+    std::map<std::array<double, 12>, std::uint32_t> frames_of_patches_;
     std::vector<std::uint32_t> medium_slots_;
     std::vector<Frame> frames_;  ///< as World::frames
     std::vector<Finish> finishes_;

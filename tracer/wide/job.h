@@ -19,6 +19,7 @@ struct Wave {
     std::uint32_t sender[room];
     std::uint32_t item[room], face[room], left[room];
     bool entering[room];
+    double normal[3][room];  ///< where the scene has patches: of what the ray starts on
     // In worlds with glassy items, in place of `mirror` and `sender`:
     double through[3][room];    ///< product of the transmittances before the ray's start
     std::uint32_t chain[room];  ///< the chain of the ray's light

@@ -29,6 +29,12 @@
 //
 #include "tracer/wide/tori.h"
 //
+#include "tracer/wide/piece_views.h"
+//
+#include "tracer/wide/plane_zeros.h"
+//
+#include "tracer/wide/patches.h"
+//
 #include "tracer/wide/lone_rays.h"
 #include "tracer/wide/meshes.h"
 //
@@ -44,6 +50,7 @@
 #include "tracer/wide/mesh_surfaces.h"
 //
 #include "tracer/wide/frustum_surfaces.h"
+#include "tracer/wide/patch_surfaces.h"
 #include "tracer/wide/simple_surfaces.h"
 #include "tracer/wide/textures.h"
 #include "tracer/wide/torus_surfaces.h"

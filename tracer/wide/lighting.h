@@ -170,6 +170,8 @@ inline Vectors local_color(Job& job, const Rays& r, const NearestHits& hits, con
         starts.face[i] = hits.face[i];
     }
     starts.entering = hits.entering;
+    starts.normal = s.geometric;
+    starts.planes = mask;
     for (std::size_t i = 0; i < scene.light_count; ++i) {
         const Light& light = scene.lights[i];
         const LightSamples at = sample_light(job, i, s, mask);

@@ -28,7 +28,8 @@ namespace lancer::wide::LANCER_LEVEL {
 
 /// Adds the crossings with one item of the tree. The mask is not empty.
 LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays& r,
-                                 const Starts& starts, Mask mask, NearestHits& hits) {
+                                 const Starts& starts, Mask mask, PatchSpaces& patches,
+                                 NearestHits& hits) {
     const Scene& scene = *job.scene;
     const Item& item = scene.items[index];
     if (item.kind == Kind::mesh) {
@@ -38,6 +39,11 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
                           [&](int i) { lone_mesh_crossings(mesh, index, r, starts, i, hits); });
         else
             mesh_crossings(scene, mesh, index, r, starts, mask, hits);
+        return;
+    }
+    if (item.kind == Kind::patch && !item.glassy) {
+        const PatchRays& local = patches.rays_in(scene, scene.patches[item.shape], r, starts);
+        patch_crossings(job, index, local, starts, mask, hits);
         return;
     }
     const Mask own = mask & equal(starts.item, index);
@@ -68,12 +74,14 @@ inline void find_nearest(const Job& job, const Rays& r, const Starts& starts, Ma
         const Mask mask = active & ~equal(starts.item, i) & ~equal(starts.left, i);
         plane_crossings(scene.planes[i - scene.bounded], i, r, mask, hits);
     }
+    PatchSpaces patches;
     traverse<Order::nearest_first>(scene.tree, scene.meshes_of_items, r, active, hits.limit,
                                    [&](std::uint32_t first, std::uint32_t count, Mask met) {
                                        for (std::uint32_t i = first; i < first + count; ++i) {
                                            const Mask mask = met & ~equal(starts.left, i);
                                            if (mask != 0)
-                                               add_crossings(job, i, r, starts, mask, hits);
+                                               add_crossings(job, i, r, starts, mask, patches,
+                                                             hits);
                                        }
                                    });
     hits.unsure &= active;

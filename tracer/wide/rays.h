@@ -102,6 +102,8 @@ struct Starts {
     alignas(32) std::uint32_t left[lanes];
     alignas(32) std::uint32_t face[lanes];
     Mask entering = 0;
+    Mask planes = 0;  ///< lanes in which `normal`, of what the ray starts on, is known
+    Vectors normal;
     Bodies bodies;
 
     LaneStart lane(int i) const {

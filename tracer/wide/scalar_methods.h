@@ -7,6 +7,7 @@
 #include "tracer/recursion/opaque.h"
 #include "tracer/recursion/whitted.h"
 #include "tracer/wide/exact_methods.h"
+#include "tracer/wide/flat_patches.h"
 
 namespace lancer::wide {
 
@@ -119,6 +120,16 @@ class ScalarMethods final : public ExactMethods {
                                                     c.entering});
                            return false;
                        });
+    }
+
+    void patch(std::uint32_t item, PatchShape& shape) override {
+        shape =
+            shape_of(std::get<BicubicSolid<double>>(world_.primitives[item].solid).surface->tree());
+    }
+
+    void piece_crossings(const PatchPiece& piece, const PieceLine& line, const PlanePart* part,
+                         const HitSink& sink) override {
+        cross_piece(piece, line, part, sink);
     }
 
     bool blocks(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,

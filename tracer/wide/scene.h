@@ -88,6 +88,43 @@ struct MeshShape {
     const std::uint32_t (*normal_faces)[3];
 };
 
+/// splines::Piece<double>
+struct PatchPiece {
+    double c[3][16];
+    double u0, v0, du, dv;
+};
+
+/// splines::PieceFrame<double>
+struct PieceFrame {
+    double row[3][3];
+    double row_size[3], low[3], high[3], middle[3], uneven[3];
+    double slope;
+};
+
+/// PieceTree<double>::Home
+struct PatchHome {
+    double anchor[3];
+    double size;
+    double points[16][3];
+    double column, row;
+};
+
+/// PieceTree<double>, where it lies.
+struct PatchShape {
+    Tree tree;
+    const std::uint32_t* order;  ///< of the items of its leaves
+    const PatchPiece* pieces;
+    const PieceFrame* frames;
+    const std::uint32_t* home;  ///< of each piece
+    const PatchHome* homes;
+    std::size_t home_count;
+};
+
+/// BicubicSolid<double>; its pieces are cut when a ray comes near: ExactMethods::patch()
+struct Patch {
+    std::uint32_t frame;  ///< index into Scene::frames; `nothing`: in world space
+};
+
 /// A mesh with its place: MeshInstance<double>, and those parts of its primitive's frame that map a
 /// ray to it. Fills two cache lines.
 struct alignas(64) Mesh {
@@ -106,8 +143,9 @@ enum class Kind : std::uint8_t {
     ball,  ///< in world space, like boxes and frustums
     box,
     frustum,
-    torus,  ///< with or without a transform, like meshes
+    torus,  ///< with or without a transform, like meshes and patches
     mesh,
+    patch,
     other,  ///< computed by scalar code
 };
 
@@ -197,6 +235,8 @@ struct Scene {
     const Box* boxes;
     const Frustum* frustums;
     const Torus* tori;
+    const Patch* patches;
+    bool has_patches;
     const Finish* finishes;
     /// Per item the index of its texture; `nothing` if it has none, or one that only scalar code
     /// can compute. Null if wide code can compute no texture of the scene.

@@ -122,6 +122,13 @@ class ShadowQuery {
             blocked_ |= shadow.blocks;
             ask_exactly(index, shadow.unsure);
             return;
+        } else if (item.kind == Kind::patch && !item.glassy) {
+            const PatchRays& local =
+                patches_.rays_in(scene_, scene_.patches[item.shape], rays_, starts_);
+            const PatchShadow shadow(job_, index, local, starts_, mask, distance_);
+            blocked_ |= shadow.blocks;
+            ask_exactly(index, shadow.unsure & ~shadow.blocks);
+            return;
         } else {
             if (item.glassy)
                 unsure_ |= mask;
@@ -155,6 +162,7 @@ class ShadowQuery {
     Mask blocked_ = 0;
     Mask unsure_ = 0;
     SeeThroughs see_throughs_;
+    PatchSpaces patches_;
 };
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -69,6 +69,7 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     Mask meshes = 0;
     Mask frustums = 0;
     Mask tori = 0;
+    Mask patches = 0;
     Mask exact = 0;
     Mask textured = 0;
     for_each_lane(mask, [&](int i) {
@@ -94,6 +95,8 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
             frustums |= bit;
         else if (item.kind == Kind::torus)
             tori |= bit;
+        else if (item.kind == Kind::patch)
+            patches |= bit;
         else
             exact |= bit;
     });
@@ -122,6 +125,13 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
         const Mask same = tori & equal(hits.item, item);
         exact |= put_torus(scene, scene.tori[scene.items[item].shape], r, hits, same, s);
         tori &= ~same;
+    }
+    while (patches != 0) {
+        const int any = __builtin_ctz(patches);
+        const std::uint32_t item = hits.item[any];
+        const Mask same = patches & equal(hits.item, item) & equal(hits.face, hits.face[any]);
+        exact |= put_piece(job, scene.patches[scene.items[item].shape], hits, same, s);
+        patches &= ~same;
     }
     s.normal = select(less(zero, dot(s.normal, r.dir)), -s.normal, s.normal);
     textured &= ~exact;

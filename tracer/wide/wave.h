@@ -28,6 +28,7 @@ inline void pad(Wave& wave) {
     store(wave.origin_lo, at, zeros);
     store(wave.dir, at, zeros);
     store(wave.through, at, zeros);
+    store(wave.normal, at, zeros);
     store(wave.error + at, zero);
     store(wave.weight + at, zero);
     for (int i = at; i < at + lanes; ++i) {
@@ -82,6 +83,10 @@ class Packet {
             starts.left[i] = wave_.left[at_ + i];
             starts.face[i] = wave_.face[at_ + i];
             starts.entering |= (wave_.entering[at_ + i] ? 1U : 0U) << i;
+        }
+        if (scene_.has_patches) {
+            starts.normal = load(wave_.normal, at_);
+            starts.planes = active & ~equal(starts.item, nothing);
         }
         find_nearest(job_, rays_, starts, active, hits_);
         for_each_lane(hits_.unsure, [&](int i) { trace_exactly(i, starts); });
@@ -156,6 +161,7 @@ class Packet {
         store_packed(next.mirror, to, sent, share);
         store_packed(next.error + to, sent, s.error);
         store_packed(next.weight + to, sent, weight);
+        if (scene_.has_patches) store_packed(next.normal, to, sent, s.geometric);
         for_each_lane(sent, [&](int i) {
             next.sender[to] = static_cast<std::uint32_t>(at_ + i);
             next.item[to] = hits_.item[i];
