@@ -15,7 +15,7 @@ inline constexpr std::size_t most_lights = 12;
 /// Light adds up: the other picture is ours and a share of what each light, the ambient light, the
 /// background and the sky bring. The shares by least squares, channel by channel; nothing where no
 /// light brings anything.
-std::vector<Explanation> other_lights(const Samples& samples, const VariantTracer& tracer,
+std::vector<Explanation> other_lights(const TrialPixels& samples, const VariantTracer& tracer,
                                       const ValidationJob& job);
 
 /// Lights, one alone or all, that fall off by another law, of any brightness.

@@ -174,8 +174,7 @@ class TorusLines {
         const Numbers k = k_at(at);
         const Numbers y = y_at(at);
         const Numbers noise = noise_at(k, y);
-        const Numbers slope =
-            all(4.0) * (k * climb_at(at)) + all(2.0) * (all(weight_) * y) * dir_.y;
+        const Numbers slope = slope_of(k, y, climb_at(at));
         const Numbers steep = larger(absolute(slope), root(noise * most_bend()));
         Numbers e = all(2.0) * noise / steep;
         const Numbers most = all(2 * (ring_ + tube_)) / root(dd_);
@@ -193,12 +192,10 @@ class TorusLines {
         p.climb = climb_at(at);
         p.k = k_at(at);
         p.y = y_at(at);
-        const Numbers weight = all(weight_);
-        const Numbers weighted = weight * p.y;
-        p.f = p.k * p.k + weight * ((p.y - all(tube_)) * (p.y + all(tube_)));
-        p.slope = all(4.0) * (p.k * p.climb) + all(2.0) * weighted * dir_.y;
-        p.bend =
-            all(4.0) * (p.climb * p.climb) + all(2.0) * (dd_ * p.k) + weight * (dir_.y * dir_.y);
+        p.f = f_of(p.k, p.y);
+        p.slope = slope_of(p.k, p.y, p.climb);
+        p.bend = all(4.0) * (p.climb * p.climb) + all(2.0) * (dd_ * p.k) +
+                 all(weight_) * (dir_.y * dir_.y);
         return p;
     }
     LANCER_INLINE Numbers climb_at(const Numbers& at) const { return dd_ * at + along_; }
@@ -224,6 +221,9 @@ class TorusLines {
     }
     LANCER_INLINE Numbers f_of(const Numbers& k, const Numbers& y) const {
         return k * k + all(weight_) * ((y - all(tube_)) * (y + all(tube_)));
+    }
+    LANCER_INLINE Numbers slope_of(const Numbers& k, const Numbers& y, const Numbers& climb) const {
+        return all(4.0) * (k * climb) + all(2.0) * (all(weight_) * y) * dir_.y;
     }
 
     double ring_, tube_, weight_, rounding_;
