@@ -73,13 +73,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     limits.objects = 50;
     limits.text_bytes = 4'000;
     limits.calls = 8;
-    const Definitions definitions{{{"level", "2 + 3"}, {"size", "[1, 2"}}, {}, {}};
+    limits.errors = 10;
+    static const Loader files = small_files();
+    // Every fourth length has something said by -D, in part wrongly.
+    const Definitions definitions =
+        size % 4 == 0 ? Definitions{{{"level", "2 + 3"}, {"size", "[1, 2"}}, {}, {}}
+                      : Definitions{};
     SourceMap sources;
     std::vector<Diagnostic> found;
     const std::string text(reinterpret_cast<const char*>(data), size);
     const Script script = parse_script("main.lancer", text, limits, sources, found);
-    const Evaluation evaluation =
-        evaluate(script, definitions, limits, sources, found, small_files());
+    const Evaluation evaluation = evaluate(script, definitions, limits, sources, found, files);
     bool wrong = false;
     for (const Diagnostic& diagnostic : found) {
         wrong |= diagnostic.severity == Severity::error;
