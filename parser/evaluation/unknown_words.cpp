@@ -105,7 +105,7 @@ void report_unknown_block(const ast::File& file, const ast::Statement& block, co
             suggestion.consider(light ? known.info->kind : known.info->keyword);
     error->hint = suggestion.hint();
     if (names.scopes().find_callable(wrong) != nullptr) {
-        error->hint = "'" + word + "' is a template, call it: " + word + "(...)";
+        error->hint = "write '" + word + "(...)' to call it";
     } else if (const std::string_view instead = habits::instead_of(word); !instead.empty()) {
         error->hint = instead;
     } else if (suggestion.empty()) {

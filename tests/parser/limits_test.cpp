@@ -77,14 +77,15 @@ TEST(Limits, EachIsAnErrorAtItsPlace) {
     EXPECT_EQ(message("for i in 0..2000 { }"), "more than 1000 statements were executed");
     EXPECT_EQ(message("let a = range(0, 2000, 1)"), "more than 1000 list elements were created");
     EXPECT_EQ(message("let a = range(0, 1e300, 1)"), "more than 1000 list elements were created");
-    EXPECT_EQ(message("for i in 0..20 { sphere { radius 1 } }"), "more than 10 objects");
+    EXPECT_EQ(message("for i in 0..20 { sphere { radius 1 } }"),
+              "the scene has more than 10 objects");
     EXPECT_EQ(message("for i in 0..20 { group { sphere { radius 1 scale 2 } } }"),
-              "more than 10 objects");
+              "the scene has more than 10 objects");
     EXPECT_EQ(message("for i in 0..20 { light point { position [0, 0, 0] } }"),
-              "more than 10 lights");
+              "the scene has more than 10 lights");
     EXPECT_EQ(message("for i in 0..20 { camera { position [0, 0, 1] look_at [0, 0, 0] } }"),
-              "more than 10 cameras");
-    EXPECT_EQ(message("for i in 0..20 { material m { } }"), "more than 10 materials");
+              "the scene has more than 10 cameras");
+    EXPECT_EQ(message("for i in 0..20 { material m { } }"), "the scene has more than 10 materials");
     EXPECT_EQ(message("for i in 0..200 { print \"0123456789\" }"),
               "more than 1000 bytes of strings were created");
     EXPECT_EQ(message(repeated(" ", 300)), "the source files have more than 200 bytes");
