@@ -64,7 +64,7 @@ TEST(Audit, DrawsOtherPointsForEachNumberAndSeed) {
 TEST(Audit, SaysWhatFewerPointsWouldHaveFound) {
     const PlainRenderer renderer(plain_picture("wires"));
     const View view = small_view();
-    Samples samples(renderer, view, {}, 7);
+    PictureSamples samples(renderer, view, {}, 7);
     std::vector<std::uint32_t> counts(samples.size(), 2);
     for (std::size_t i = 0; i < counts.size(); i += 3) counts[i] = 12;  // more than few points
     for (std::size_t i = 1; i < counts.size(); i += 3) counts[i] = 24;  // more than many
