@@ -10,6 +10,7 @@
 namespace lancer::accuracy {
 namespace {
 
+constexpr std::uint32_t fewest_points = 16;  // of a net: with 8, printed intervals can be wide
 constexpr double two_sided_95 = 1.96;
 
 /// Systematic sampling: the pixels are intervals of length `chance`, end to end. The draws are
@@ -37,7 +38,6 @@ std::uint64_t stream_of(std::uint64_t audit, std::size_t draw, unsigned net) {
 struct Net {
     std::size_t draw;
     std::uint32_t points;
-    std::uint32_t few;
 };
 
 /// The variance of the mean of a stratum's terms.
@@ -71,14 +71,12 @@ Audit audit(const Truth& truth, const PictureSamples& samples, std::span<const d
     Audit result;
     result.pixels = systematic(chance, plan.draws, start);
     std::vector<Color> nets(result.pixels.size() * 2, Color{0, 0, 0});
-    std::vector<Color> nets_of_few = nets;
     std::vector<Net> batch;
     std::vector<PicturePoint> points;
     std::vector<Color> colors;
     for (std::size_t k = 0; k < result.pixels.size(); ++k) {
         const std::size_t pixel = result.pixels[k];
-        const std::uint32_t count = samples.pixels()[pixel].count;
-        const std::uint32_t n = std::max(plan.points, count);
+        const std::uint32_t n = std::max(fewest_points, samples.pixels()[pixel].count);
         const int x = samples.column(pixel);
         const int y = samples.row(pixel);
         for (const unsigned net : {0U, 1U}) {
@@ -86,21 +84,15 @@ Audit audit(const Truth& truth, const PictureSamples& samples, std::span<const d
                 pixel_key(samples.seed(), x, y, stream_of(plan.number, k, net)));
             for (std::uint32_t i = 0; i < n; ++i)
                 points.push_back({x + sequence[i].x, y + sequence[i].y});
-            batch.push_back({2 * k + net, n, std::max(few_points, count)});
+            batch.push_back({2 * k + net, n});
         }
         if (points.size() < batch_size && k + 1 < result.pixels.size()) continue;
         colors.resize(points.size());
         truth.renderer.trace(samples.view(), points, truth.limits, colors, {}, result.rays);
         std::size_t next = 0;
         for (const Net& net : batch) {
-            for (std::uint32_t i = 0; i < net.points; ++i) {
-                nets[net.draw] += colors[next++];
-                if (i + 1 == net.few)
-                    nets_of_few[net.draw] = nets[net.draw] / static_cast<double>(net.few);
-            }
+            for (std::uint32_t i = 0; i < net.points; ++i) nets[net.draw] += colors[next++];
             nets[net.draw] /= static_cast<double>(net.points);
-            result.points += net.points;
-            result.points_of_few += net.few;
         }
         batch.clear();
         points.clear();
@@ -111,12 +103,8 @@ Audit audit(const Truth& truth, const PictureSamples& samples, std::span<const d
     for (std::size_t k = 0; k < result.pixels.size(); ++k) {
         const std::size_t pixel = result.pixels[k];
         const Color mean = samples.pixels()[pixel].mean();
-        const auto product_of = [&](const std::vector<Color>& means) {
-            return dot(mean - means[2 * k], mean - means[2 * k + 1]);
-        };
-        const double product = product_of(nets);
+        const double product = dot(mean - nets[2 * k], mean - nets[2 * k + 1]);
         result.terms.push_back(product / (chance[pixel] * values));
-        result.terms_of_few.push_back(product_of(nets_of_few) / (chance[pixel] * values));
         result.seen.push_back({guessed.of(pixel), chance[pixel], product});
     }
     return result;
@@ -124,12 +112,9 @@ Audit audit(const Truth& truth, const PictureSamples& samples, std::span<const d
 
 void Audit::add(const Audit& other) {
     terms.insert(terms.end(), other.terms.begin(), other.terms.end());
-    terms_of_few.insert(terms_of_few.end(), other.terms_of_few.begin(), other.terms_of_few.end());
     pixels.insert(pixels.end(), other.pixels.begin(), other.pixels.end());
     seen.insert(seen.end(), other.seen.begin(), other.seen.end());
     rays += other.rays;
-    points += other.points;
-    points_of_few += other.points_of_few;
 }
 
 void TermSums::add(std::span<const double> terms) {

@@ -26,18 +26,11 @@ struct Truth {
     TraceLimits limits;
 };
 
-/// Points of each estimate y1, y2, or as many as the pixel has samples if these are more. Few find
-/// the error of a smooth picture by half of the rays; thin wires are missed by most estimates then,
-/// so that few draws carry the result.
-inline constexpr std::uint32_t few_points = 8;
-inline constexpr std::uint32_t many_points = 16;
-
 struct AuditPlan {
     int draws = 1000;
     /// Audits of different numbers are independent of each other and of the picture.
     std::uint64_t number = 0;
     DrawShares shares = first_shares;
-    std::uint32_t points = many_points;
 };
 
 /// A pixel, by its place in the whole picture, with its share of a sum.
@@ -51,12 +44,9 @@ struct Audit {
     /// One term per draw. The mean of each is the picture's mean squared error, over pixels and
     /// channels.
     std::vector<double> terms;
-    std::vector<double> terms_of_few;  ///< as they are with the first few_points of each estimate
-    std::vector<std::size_t> pixels;   ///< that were drawn, index into PictureSamples::pixels()
-    std::vector<SeenDraw> seen;        ///< for best_shares()
+    std::vector<std::size_t> pixels;  ///< that were drawn, index into PictureSamples::pixels()
+    std::vector<SeenDraw> seen;       ///< for best_shares()
     RayCounts rays;
-    std::uint64_t points = 0;  ///< of all estimates
-    std::uint64_t points_of_few = 0;
 
     /// Appends the draws of another audit of the same samples, with the same shares.
     void add(const Audit& other);

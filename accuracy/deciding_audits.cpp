@@ -9,15 +9,6 @@ namespace {
 
 constexpr double sure_effective_draws = 2 * least_effective_draws;
 
-/// Whether estimates of few points would tell as much by fewer rays, with draws enough.
-bool few_points_pay(const Audit& first, const ErrorEstimate& of_many, const ErrorEstimate& of_few) {
-    const auto price = [](const ErrorEstimate& e, std::uint64_t points) {
-        return e.log_error() * e.log_error() * static_cast<double>(points);
-    };
-    return of_few.mean_square > 0 && 2 * of_few.effective_draws >= least_effective_draws &&
-           price(of_few, first.points_of_few) < price(of_many, first.points);
-}
-
 }  // namespace
 
 int most_draws(const PictureSamples& samples) {
@@ -31,8 +22,7 @@ DecidingAudits::DecidingAudits(const Truth& truth, double max_error)
 
 Audit DecidingAudits::taken(const PictureSamples& samples, const Prediction& prediction, int draws,
                             RayCounts& rays) {
-    Audit a = audit(truth_, samples, prediction.errors(samples),
-                    {draws, audits_++, shares_, points_}, {});
+    Audit a = audit(truth_, samples, prediction.errors(samples), {draws, audits_++, shares_}, {});
     rays += a.rays;
     return a;
 }
@@ -46,18 +36,6 @@ ErrorEstimate DecidingAudits::first(const PictureSamples& samples, const Predict
                                     RayCounts& rays) {
     last_ = taken(samples, prediction, first_draws, rays);
     return estimate(last_.terms);
-}
-
-DecidingAudits::Outlook DecidingAudits::after_first(bool is_last) {
-    const ErrorEstimate of_many = estimate(last_.terms);
-    const auto rays = static_cast<double>(last_.rays.rays());
-    if (is_last) return {of_many, rays};
-    learn_shares();
-    const ErrorEstimate of_few = estimate(last_.terms_of_few);
-    if (!few_points_pay(last_, of_many, of_few)) return {of_many, rays};
-    points_ = few_points;
-    return {of_few,
-            rays * static_cast<double>(last_.points_of_few) / static_cast<double>(last_.points)};
 }
 
 ErrorEstimate DecidingAudits::judge(const PictureSamples& samples, const Prediction& prediction,
@@ -78,13 +56,8 @@ ErrorEstimate DecidingAudits::judge(const PictureSamples& samples, const Predict
             draws_ *= 2;
             if (e.effective_draws >= least_effective_draws) return e;
         }
-        if (points_ < many_points) {
-            points_ = many_points;
-        } else if (draws_ < most) {
-            draws_ = std::min(most, 2 * draws_);
-        } else {
-            return e;
-        }
+        if (draws_ >= most) return e;
+        draws_ = std::min(most, 2 * draws_);
         learn_shares();
     }
 }

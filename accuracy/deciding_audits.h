@@ -1,5 +1,5 @@
-// The audits that decide when a picture is refined enough: how many draws each takes, in which
-// pixels, and by how many points. The last of them settles how the printed audit draws.
+// The audits that decide when a picture is refined enough: how many draws each takes, and in
+// which pixels. The last of them settles how the printed audit draws.
 #pragma once
 
 #include <cstdint>
@@ -28,17 +28,9 @@ class DecidingAudits {
     ErrorEstimate first(const PictureSamples& samples, const Prediction& prediction,
                         RayCounts& rays);
 
-    /// What the first audit says of those that follow it.
-    struct Outlook {
-        ErrorEstimate estimate;  ///< of first_draws draws, by as many points as follow
-        double rays;             ///< of these draws
-    };
-    /// \param is_last  it decides already: the printed audit must draw as it has drawn
-    Outlook after_first(bool is_last);
-
     /// An audit of draws() draws. It stops after half of them if these decide. If too few draws
-    /// carry the result, as many again are drawn where these may be enough; otherwise audits of
-    /// more points or of more draws follow, drawn by what the smaller ones have found.
+    /// carry the result, as many again are drawn where these may be enough; otherwise larger audits
+    /// follow, drawn by what the smaller ones have found.
     ErrorEstimate judge(const PictureSamples& samples, const Prediction& prediction,
                         RayCounts& rays);
 
@@ -71,7 +63,6 @@ class DecidingAudits {
     std::uint64_t audits_ = 0;
     int draws_ = 1000;
     DrawShares shares_ = first_shares;
-    std::uint32_t points_ = many_points;
     Audit last_;
 };
 

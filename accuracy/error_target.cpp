@@ -140,7 +140,7 @@ class Search {
 
     /// Larger audits cost rays, and save some: the surer they are, the nearer to the goal the
     /// picture may stop.
-    int best_draws(const ErrorEstimate& first, double rays_of_first) const {
+    int best_draws(const ErrorEstimate& first, std::uint64_t rays_of_first) const {
         const double pixels = static_cast<double>(samples_->size());
         const RayCounts& so_far = samples_->rays();
         const double per_sample =
@@ -155,7 +155,7 @@ class Search {
             const double cost =
                 (target > 0 ? rays_for(*samples_, prediction_, target) * pixels * per_sample
                             : goal_.most_rays_per_pixel * pixels) +
-                2.0 * draws / first_draws * rays_of_first;
+                2.0 * draws / first_draws * static_cast<double>(rays_of_first);
             if (best == 0 || cost < least) {
                 best = draws;
                 least = cost;
@@ -171,9 +171,10 @@ class Search {
         const bool is_settled = audits_.is_decided(e) && audits_.is_below(e, deciding_margin);
         if (!e.all_zero) {  // otherwise there is nothing to correct by
             correct(e);
-            const DecidingAudits::Outlook outlook = audits_.after_first(is_settled);
-            audits_.set_draws(best_draws(outlook.estimate, outlook.rays));
-            expected_error = log_error(outlook.estimate, first_draws, audits_.draws());
+            // An audit that is the last to decide must have drawn as the printed one will.
+            if (!is_settled) audits_.learn_shares();
+            audits_.set_draws(best_draws(e, audits_.last().rays.rays()));
+            expected_error = log_error(e, first_draws, audits_.draws());
         }
         if (is_settled ? misses_rare_light() : !decide_by_rounds(e, expected_error)) return;
         // The draws that a told interval needs, estimated from the last audit.

@@ -61,25 +61,6 @@ TEST(Audit, DrawsOtherPointsForEachNumberAndSeed) {
     EXPECT_NE(first.terms, audit(truth, samples, even, {200, 1}, {}).terms);
 }
 
-TEST(Audit, SaysWhatFewerPointsWouldHaveFound) {
-    const PlainRenderer renderer(plain_picture("wires"));
-    const View view = small_view();
-    PictureSamples samples(renderer, view, {}, 7);
-    std::vector<std::uint32_t> counts(samples.size(), 2);
-    for (std::size_t i = 0; i < counts.size(); i += 3) counts[i] = 12;  // more than few points
-    for (std::size_t i = 1; i < counts.size(); i += 3) counts[i] = 24;  // more than many
-    samples.raise(counts, {});
-    const std::vector<double> even(samples.size(), 1.0);
-    const Truth truth{renderer, {}};
-    const Audit many = audit(truth, samples, even, {200, 3, first_shares, many_points}, {});
-    const Audit few = audit(truth, samples, even, {200, 3, first_shares, few_points}, {});
-    EXPECT_EQ(many.terms_of_few, few.terms);
-    EXPECT_EQ(few.terms_of_few, few.terms);
-    EXPECT_NE(many.terms, few.terms);
-    EXPECT_EQ(many.points, many.rays.primary);
-    EXPECT_EQ(many.points_of_few, few.rays.primary);
-}
-
 TEST(Estimate, TheIntervalIsThatOfTheLogarithm) {
     std::vector<double> terms;
     for (int i = 0; i < 100; ++i) terms.push_back(i % 2 == 0 ? 1e-4 : 3e-4);

@@ -62,6 +62,7 @@ class IntersectionFilter<Real, Bodies> {
     Real met_at(const Crossing<Real>& c) const { return c.t; }
     bool starts_on(std::uint32_t) const { return false; }
     bool lets_pass(std::uint32_t, bool) const { return true; }
+    MediaList in_beyond_boxes() const { return {}; }
     // Only composites need this, and the bench has none.
     const Start<Real>& start() const { return start_; }
     std::optional<bool> state_of(std::uint32_t) const { return std::nullopt; }

@@ -52,6 +52,9 @@ class Crossings final : public wide::ExactMethods {
     void behind(const double*, double*) override {}
     void surface(const wide::LaneRay&, const wide::LaneHit&, wide::LaneSurface&) override {}
     void light(std::size_t, const double*, const double*, wide::LaneLight&) override {}
+    void patch(std::uint32_t, wide::PatchShape&) override {}
+    void piece_crossings(const wide::PatchPiece&, const wide::PieceLine&, const wide::PlanePart*,
+                         const wide::HitSink&) override {}
     bool blocks(std::uint32_t, const wide::LaneRay&, const wide::LaneStart&, double) override {
         return false;
     }
