@@ -20,20 +20,21 @@ constexpr std::string_view no_directive = "statements are written without '#'";
 constexpr std::string_view put_together = "use group { ... } to put shapes together";
 constexpr std::string_view in_material = "use material { ... } to describe a surface";
 constexpr std::string_view loops =
-    "what is repeated stands in 'for i in 0..10 { ... }' or 'for x in list { ... }'";
-constexpr std::string_view templates = "statements with parameters are 'def name(a, b) { ... }'";
-constexpr std::string_view any_form = "a prism or lathe has any outline, a mesh any form";
+    "use 'for i in 0..10 { ... }' or 'for x in list { ... }' for a loop";
+constexpr std::string_view templates =
+    "use 'def name(a, b) { ... }' for statements with parameters";
+constexpr std::string_view any_form = "use a prism or a lathe for any outline, a mesh for any form";
 constexpr std::string_view sharp_shadows =
-    "shadows are sharp; several light point { ... } beside each other come near a soft one";
+    "shadows are sharp; several point lights close together look like a soft shadow";
 constexpr std::string_view no_indirect =
     "there is no indirect light: 'ambient' lights all surfaces alike";
 constexpr std::string_view no_fog =
     "there is no fog: 'absorption' takes light on its way through a body";
 constexpr std::string_view patterns =
-    "surfaces are smooth; an image, a checker or a gradient can be a texture";
+    "surfaces have no bumps; use an image, a checker or a gradient as a texture";
 constexpr std::string_view sharp_cameras =
-    "cameras see sharply at every distance, and one moment alone";
-constexpr std::string_view values = "a value gets its name by 'let name = ...'";
+    "a picture is sharp at every distance and shows one moment";
+constexpr std::string_view values = "use 'let name = ...' to give a value a name";
 
 constexpr Entry words[] = {
     // Shapes
@@ -67,22 +68,21 @@ constexpr Entry words[] = {
     {"module",
      "use 'def name(a, b) { ... }' for statements with parameters, and 'name(1, 2)' to call them"},
     // The scene
-    {"light_source", "lights are light point, light directional and light spot { ... }"},
-    {"sun", "a sun is light directional { direction [-1, -2, -1] }"},
-    {"global_settings", "such settings stand in render { max_depth 8 }, and 'ambient' in the file"},
-    {"ambient_light", "the ambient light is the file's property 'ambient [1, 1, 1]'"},
-    {"sky_sphere",
-     "what stands behind everything is 'background', or sky { gradient [0, 1, 0] ... }"},
-    {"location", "a camera stands at its 'position'"},
-    {"eye", "a camera stands at its 'position'"},
-    {"target", "a camera looks at its 'look_at'"},
-    {"lookat", "a camera looks at its 'look_at'"},
-    {"sky", "what is up in a camera's picture is 'up [0, 1, 0]'"},
-    {"angle", "a camera's angle is 'fov', vertical and in degrees"},
-    {"resolution", "the size of the picture is image { width 640 height 480 }"},
-    {"intensity", "a light's brightness is in its colour: color [2, 2, 2]"},
-    {"brightness", "a light's brightness is in its colour: color [2, 2, 2]"},
-    {"energy", "a light's brightness is in its colour: color [2, 2, 2]"},
+    {"light_source", "use light point, light directional or light spot { ... }"},
+    {"sun", "use a directional light for a sun: light directional { direction [-1, -2, -1] }"},
+    {"global_settings", "use render { max_depth 8 } for such settings, and 'ambient' in the file"},
+    {"ambient_light", "use 'ambient [1, 1, 1]' in the file for the ambient light"},
+    {"sky_sphere", "use 'background' or sky { gradient [0, 1, 0] ... } for rays that hit nothing"},
+    {"location", "use 'position' for the place of the camera"},
+    {"eye", "use 'position' for the place of the camera"},
+    {"target", "use 'look_at' for the point that the camera looks at"},
+    {"lookat", "use 'look_at' for the point that the camera looks at"},
+    {"sky", "use 'up [0, 1, 0]' for the upward direction in the camera's picture"},
+    {"angle", "use 'fov' for the camera's vertical angle of view, in degrees"},
+    {"resolution", "use image { width 640 height 480 } for the size of the picture"},
+    {"intensity", "use 'color' for the brightness of a light, too: color [2, 2, 2]"},
+    {"brightness", "use 'color' for the brightness of a light, too: color [2, 2, 2]"},
+    {"energy", "use 'color' for the brightness of a light, too: color [2, 2, 2]"},
     // Materials
     {"pigment", "use material { color [1, 0, 0] } for a colour"},
     {"finish", in_material},
@@ -135,9 +135,9 @@ constexpr Entry words[] = {
     {"set", values},
     {"float", values},
     {"double", values},
-    {"echo", "'print' writes values"},
-    {"printf", "'print' writes values"},
-    // What the language has not (docs/language.md)
+    {"echo", "use 'print' to write values"},
+    {"printf", "use 'print' to write values"},
+    // What the language does not have (docs/language.md)
     {"blob", any_form},
     {"metaball", any_form},
     {"height_field", any_form},
