@@ -66,12 +66,12 @@ TEST_F(PictureProcess, IsBoundedInTimeAndMemory) {
     set_picture_limits({64, 1});
     EXPECT_THAT(problem("spin"),
                 HasSubstr("longer than the allowed 1 s (--limit-picture-seconds)"));
-    EXPECT_THAT(problem("sleep"), HasSubstr("longer than the 1 s allowed"));
+    EXPECT_THAT(problem("sleep"), HasSubstr("longer than the allowed 1 s"));
 #ifndef __SANITIZE_ADDRESS__  // the shadow memory exceeds any limit
-    EXPECT_THAT(problem("memory"), HasSubstr("more memory than the 64 MiB allowed"));
+    EXPECT_THAT(problem("memory"), HasSubstr("more memory than the allowed 64 MiB"));
 #endif
     set_picture_limits({32, 10});
-    EXPECT_THAT(problem("pixels"), HasSubstr("more memory than the 32 MiB allowed"));
+    EXPECT_THAT(problem("pixels"), HasSubstr("more memory than the allowed 32 MiB"));
     set_picture_limits({128, 10});
     EXPECT_EQ(read("pixels").width, 8192);
 }

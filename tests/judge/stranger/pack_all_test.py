@@ -86,11 +86,11 @@ def main(lancer):
         (folder / "blind.lancer").write_text("sphere { radius 1 }")
         right = scenes()[0], scenes()[-1]
         said = run(right[0], "wrong.lancer", "nowhere.lancer", "blind.lancer", right[1], "--size", "48x36", code=4)
-        assert "3 of 5 scenes left out: wrong.lancer, nowhere.lancer, blind.lancer" in said, said
+        assert "3 of 5 scenes were left out: wrong.lancer, nowhere.lancer, blind.lancer" in said, said
         assert "wrong.lancer:1:17: error" in said, said
         assert len(json.loads((folder / "pack/pack.json").read_text())["scenes"]) == 2
         said = run(right[0], "wrong.lancer", "--size", "48x36", code=3)
-        assert "1 of 2 scenes left out: wrong.lancer" in said, said
+        assert "1 of 2 scenes were left out: wrong.lancer" in said, said
 
 
 if __name__ == "__main__":
