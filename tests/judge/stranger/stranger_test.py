@@ -85,7 +85,7 @@ def main(lancer):
         run(lancer, "pack", SCENE, *SIZE, "-o", "pack", "-q")
         (folder / "mine").mkdir()
         (folder / "mine/diary.txt").write_text("dear diary")
-        assert "no pack" in run(lancer, "pack", SCENE, "-o", "mine", code=2)
+        assert "not an earlier pack" in run(lancer, "pack", SCENE, "-o", "mine", code=2)
 
 
 if __name__ == "__main__":
