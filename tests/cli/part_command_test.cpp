@@ -220,7 +220,7 @@ TEST_F(Parts, ThatAreDamagedAreRefused) {
     place_.write("p2.exr", bytes.substr(0, bytes.size() / 2));
     refused(join("out.png", 2), 4, "'p2.exr' is damaged");
     place_.write("p2.exr", "no picture");
-    refused(join("out.png", 2), 4, "'p2.exr' is no part of a picture");
+    refused(join("out.png", 2), 4, "'p2.exr' is damaged, or not a part of a picture");
     refused(join("p1.exr", 2), 2, "'p1.exr' would overwrite 'p1.exr', which is an input",
             "out.png");
 }
@@ -280,7 +280,7 @@ TEST_F(Resume, WhatShowsNothingIsNoOtherScene) {
                      "}\n");
     EXPECT_THAT(draw(1, 2, options).out, HasSubstr("kept p1.exr"));
     place_.write("shine.ppm", "P6 1 1 255\nabd");
-    EXPECT_THAT(draw(1, 2, options).err, HasSubstr("drawn again: it is of another scene"));
+    EXPECT_THAT(draw(1, 2, options).err, HasSubstr("rendered again: it is of another scene"));
 }
 
 TEST_F(Resume, APartIsDrawnOnceAndAgainWhenSomethingHasChanged) {
