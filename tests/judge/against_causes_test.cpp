@@ -148,7 +148,7 @@ TEST_F(AgainstCauses, ColoursThroughACurve) {
     expect_named(
         520, {
                  {"the materials' colours are decoded by the sRGB curve", colours(srgb_decode)},
-                 {"the materials' colours are encoded by the sRGB curve", colours(srgb_encode)},
+                 {"the materials' colours are still encoded by the sRGB curve", colours(srgb_encode)},
                  {"the materials' colours are raised to the power of 2.2",
                   colours([](double v) { return std::pow(v, 2.2); })},
                  {"the materials' colours are squared", colours([](double v) { return v * v; })},
