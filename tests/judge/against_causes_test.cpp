@@ -146,15 +146,16 @@ TEST_F(AgainstCauses, ColoursThroughACurve) {
         };
     };
     expect_named(
-        520, {
-                 {"the materials' colours are decoded by the sRGB curve", colours(srgb_decode)},
-                 {"the materials' colours are still encoded by the sRGB curve", colours(srgb_encode)},
-                 {"the materials' colours are raised to the power of 2.2",
-                  colours([](double v) { return std::pow(v, 2.2); })},
-                 {"the materials' colours are squared", colours([](double v) { return v * v; })},
-                 {"the materials' colours are replaced by their square roots",
-                  colours([](double v) { return std::sqrt(v); })},
-             });
+        520,
+        {
+            {"the materials' colours are decoded by the sRGB curve", colours(srgb_decode)},
+            {"the materials' colours are still encoded by the sRGB curve", colours(srgb_encode)},
+            {"the materials' colours are raised to the power of 2.2",
+             colours([](double v) { return std::pow(v, 2.2); })},
+            {"the materials' colours are squared", colours([](double v) { return v * v; })},
+            {"the materials' colours are replaced by their square roots",
+             colours([](double v) { return std::sqrt(v); })},
+        });
 }
 
 TEST_F(AgainstCauses, Highlights) {

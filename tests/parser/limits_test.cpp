@@ -97,7 +97,8 @@ TEST(Limits, OfErrorsLeavesTheRestOut) {
     limits.errors = 3;
     const auto result = run(repeated("sphere { raduis 1 }\n", 5), {}, {}, limits);
     ASSERT_EQ(result.found.size(), 4u);
-    EXPECT_EQ(result.found.back().message, "there are more than 3 errors: the others are not shown");
+    EXPECT_EQ(result.found.back().message,
+              "there are more than 3 errors: the others are not shown");
 }
 
 TEST(Limits, ListsThatShareTheirPartsDoNotExplode) {
