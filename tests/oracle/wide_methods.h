@@ -1,4 +1,4 @@
-// The scalar code behind wide kernels, for tests that leave nothing to it.
+// The scalar code behind wide kernels, for tests and benches that leave nothing to it, or little.
 #pragma once
 
 #include "tracer/wide/exact_methods.h"

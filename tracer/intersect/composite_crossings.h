@@ -220,6 +220,11 @@ class CompositeWalk {
         return change.t - known_.start->t <= reach;
     }
 
+    /// The face of the whole that an event, or a start, is on.
+    std::uint32_t face_of(const auto& at) const {
+        return tree_.leaves[at.leaf].first_face + at.face;
+    }
+
     template <class Last, class Report>
     bool tell_face(const Change& change, const RayInterval<Real, Last>& interval, Report& report,
                    std::uint32_t face, Real u = 0, Real v = 0) const {
@@ -230,9 +235,6 @@ class CompositeWalk {
     template <class Last, class Report>
     bool tell_of(const Change& change, const RayInterval<Real, Last>& interval,
                  Report& report) const {
-        const auto face_of = [&](const Event& e) {
-            return tree_.leaves[e.leaf].first_face + e.face;
-        };
         const Event& shown = events_[change.shown];
         if (tell_face(change, interval, report, face_of(shown), shown.u, shown.v)) return true;
         if (known_.start == nullptr) return false;
@@ -256,9 +258,7 @@ class CompositeWalk {
         const bool by_event = change.shown != no_event;
         if (by_event && tell_of(change, interval, report)) return true;
         const auto tell_started = [&](std::size_t i, std::uint32_t hidden) {
-            const auto& [leaf, face] = search_.started()[i];
-            return tell_face(change, interval, report,
-                             (tree_.leaves[leaf].first_face + face) | hidden);
+            return tell_face(change, interval, report, face_of(search_.started()[i]) | hidden);
         };
         if (!by_event && tell_started(turning_, 0)) return true;
         for (std::size_t i = 0; i < search_.started().size(); ++i) {

@@ -33,6 +33,10 @@
 //
 #include "tracer/wide/plane_zeros.h"
 //
+#include "tracer/wide/patch_rays.h"
+//
+#include "tracer/wide/patch_heights.h"
+//
 #include "tracer/wide/patches.h"
 //
 #include "tracer/wide/lone_rays.h"

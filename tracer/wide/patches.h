@@ -9,54 +9,6 @@ struct PieceHits {
     Mask entering;
 };
 
-/// Eight rays in the space of a patch.
-struct PatchRays {
-    Rays rays;
-    Vectors normal;  ///< of what the ray starts on, turned to the side that the ray goes to
-    Mask planes;     ///< lanes in which it is known
-    Mask steep;      ///< and in which the ray does not go along the surface
-    std::uint32_t frame = nothing;
-
-    void set(const Scene& scene, std::uint32_t of, const Rays& world, const Starts& starts) {
-        frame = of;
-        const Frame& f = scene.frames[of];
-        set(to_local(world, f), map_transposed(f.to_world, starts.normal), starts.planes);
-    }
-    void set(const Rays& local, const Vectors& given, Mask known) {
-        rays = local;
-        const Numbers zero = all(0.0);
-        const Numbers rise = dot(given, local.dir);
-        planes = known & ~equal(rise, zero);
-        normal = select(less(rise, zero), -given, given);
-        const Vectors size = absolute(given);
-        steep = planes &
-                less(all(0x1p-14) * (size.x + size.y + size.z) * max_component(absolute(local.dir)),
-                     absolute(rise));
-    }
-};
-
-/// The same in the spaces of all patches that eight rays come to, of which many are alike.
-class PatchSpaces {
-  public:
-    const PatchRays& rays_in(const Scene& scene, const Patch& patch, const Rays& world,
-                             const Starts& starts) {
-        if (patch.frame == nothing) {
-            if (!is_set_) world_.set(world, starts.normal, starts.planes);
-            is_set_ = true;
-            return world_;
-        }
-        PatchRays& own = own_[patch.frame % spaces];
-        if (own.frame != patch.frame) own.set(scene, patch.frame, world, starts);
-        return own;
-    }
-
-  private:
-    static constexpr int spaces = 4;
-    PatchRays own_[spaces];
-    PatchRays world_;
-    bool is_set_ = false;
-};
-
 class PatchQuery {
   public:
     PatchQuery(ExactMethods& exact, std::uint32_t item, const PatchRays& local,
@@ -83,10 +35,8 @@ class PatchQuery {
         if (const Mask own = mask & own_ & local_.steep; own != 0 && shape_.home_count == 1) {
             const PatchHome& home = *shape_.homes;
             const auto& points = home.points;
-            const Heights heights(local_, PieceStarts(home, rays_), [&](int i) {
-                return local_.normal.x * all(points[i][0]) + local_.normal.y * all(points[i][1]) +
-                       local_.normal.z * all(points[i][2]);
-            });
+            const Heights heights(local_, PieceStarts(home, rays_),
+                                  [&](int i) { return all(points[i]); });
             mask &= ~(own & heights.bends_away());
             if (mask == 0) return;
         }
@@ -101,73 +51,6 @@ class PatchQuery {
     }
 
   private:
-    /// PieceStart<double>
-    struct PieceStarts {
-        Vectors at;
-        Numbers noise;
-
-        LANCER_INLINE PieceStarts(const PatchHome& home, const Rays& r)
-            : at(start_from(r, all(home.anchor))),
-              noise(all(gamma<double, 32> * home.size) + bound<8>() * max_component(absolute(at)) +
-                    all(2.0) * r.origin_error) {}
-    };
-
-    /// Control points above the plane through the ray's start that touches what it starts on.
-    struct Heights {
-        Numbers above[16];
-        Numbers unsure;  ///< what rounding makes of them
-
-        /// \param height  height(i): of control point i, relative to the anchor
-        template <class Height>
-        LANCER_INLINE Heights(const PatchRays& local, const PieceStarts& start,
-                              const Height& height) {
-            const Vectors size = absolute(local.normal);
-            unsure = start.noise * (size.x + size.y + size.z);
-            const Numbers own = dot(local.normal, start.at);
-            for (int i = 0; i < 16; ++i) above[i] = height(i) - own;
-        }
-
-        /// All points lie below the plane: a ray that goes up meets nothing.
-        LANCER_INLINE Mask below() const {
-            Numbers high = above[0];
-            for (int i = 1; i < 16; ++i) high = larger(above[i], high);
-            return less(high, -unsure);
-        }
-
-        /// Where the ray starts on these points' surface: it bends away from the plane to all
-        /// sides, as its second derivatives tell by their coefficients, so that its height is
-        /// nowhere more than rounding. Going up, a ray is above that after a stretch that is
-        /// shorter than the bound of any crossing there: the rounding of the start over the same
-        /// slope is part of that. What is found on this stretch is left out as the start itself is.
-        LANCER_INLINE Mask bends_away() const {
-            const auto bend = [&](int a, int b, int c) {
-                return (above[a] + above[c]) - all(2.0) * above[b];
-            };
-            Numbers uu = bend(0, 1, 2);
-            Numbers vv = bend(0, 4, 8);
-            Numbers uv = all(0.0);
-            for (int i = 0; i < 4; ++i) {
-                for (int j = 0; j < 2; ++j) {
-                    uu = larger(bend(4 * i + j, 4 * i + j + 1, 4 * i + j + 2), uu);
-                    vv = larger(bend(4 * j + i, 4 * j + 4 + i, 4 * j + 8 + i), vv);
-                }
-            }
-            for (int i = 0; i < 3; ++i) {
-                for (int j = 0; j < 3; ++j) {
-                    const int k = 4 * i + j;
-                    const Numbers twist = (above[k] + above[k + 5]) - (above[k + 1] + above[k + 4]);
-                    uv = larger(absolute(twist), uv);
-                }
-            }
-            const Numbers room = unsure * all(0.125);
-            const Numbers a = room - all(6.0) * uu;
-            const Numbers b = room - all(6.0) * vv;
-            const Numbers c = room + all(9.0) * uv;
-            const Numbers zero = all(0.0);
-            return at_most(zero, a) & at_most(zero, b) & at_most(c * c, a * b);
-        }
-    };
-
     /// foresee(), then piece_crossings()
     template <Order order, class Met, class Foreseen>
     LANCER_INLINE Mask piece(std::uint32_t index, Mask mask, const Numbers& last, const Met& met,
@@ -192,15 +75,12 @@ class PatchQuery {
                 mask &= ~done;
             }
         }
-        if ((mask & local_.planes) != 0) {
+        if (const Mask own = mask & local_.steep & own_ & equal(starts_.face, index); own != 0) {
             const auto& c = shape_.pieces[index].c;
             const Heights heights(local_, start, [&](int i) {
-                return local_.normal.x * all(c[0][i]) + local_.normal.y * all(c[1][i]) +
-                       local_.normal.z * all(c[2][i]);
+                return Vectors{all(c[0][i]), all(c[1][i]), all(c[2][i])};
             });
-            mask &= ~(local_.planes & heights.below());
-            const Mask own = mask & local_.steep & own_ & equal(starts_.face, index);
-            if (own != 0) mask &= ~(own & heights.bends_away());
+            mask &= ~(own & heights.bends_away());
         }
         if (mask != 0) done |= search(index, mask, start, met);
         return done;

@@ -4,11 +4,13 @@
 #include "model/scene.h"
 #include "tests/bench/search/search_rays.h"
 #include "tests/extremes/stage.h"
+#include "tests/oracle/wide_methods.h"
 #include "tracer/compile/compile.h"
 #include "tracer/intersect/nearest_contact.h"
 #include "tracer/wide/flat_world.h"
 #include "tracer/wide/job.h"
 #include "tracer/wide/level.h"
+#include "tracer/wide/scalar_methods.h"
 //
 #include "tests/bench/search/level_search.h"
 
@@ -26,16 +28,13 @@ namespace search {
 namespace {
 
 /// The exact methods that the search of a mesh calls: crossings with the mesh.
-class Crossings final : public wide::ExactMethods {
+class Crossings final : public oracle::NoMethods {
   public:
     explicit Crossings(const World<double>& world) : world_(world) {}
 
     void crossings(std::uint32_t item, const wide::LaneRay& r, const wide::LaneStart&,
                    const wide::HitSink& sink) override {
-        const auto vector = [](const double* v) { return Vec3d(v[0], v[1], v[2]); };
-        const Ray<double> ray{vector(r.origin), vector(r.origin_lo), vector(r.dir),
-                              r.dir_squared,    r.inv_squared,       r.origin_error,
-                              r.filter_error,   vector(r.inv_dir),   r.whole};
+        const Ray<double> ray = wide::ray_of(r);
         const auto limit = [&] { return sink.limit(sink.self); };
         const RayInterval<double, decltype(limit)> interval{0, limit};
         primitive_crossings(
@@ -45,20 +44,6 @@ class Crossings final : public wide::ExactMethods {
                 return false;
             });
     }
-    void trace(const wide::LaneRay&, const wide::LaneStart&, double, int, double*) override {}
-    void follow(const wide::LaneRay&, const wide::LaneStart&, double, int, const double*,
-                const wide::LightSink&) override {}
-    void shade(const wide::LaneRay&, const wide::LaneHit&, double, int, double*) override {}
-    void behind(const double*, double*) override {}
-    void surface(const wide::LaneRay&, const wide::LaneHit&, wide::LaneSurface&) override {}
-    void light(std::size_t, const double*, const double*, wide::LaneLight&) override {}
-    void patch(std::uint32_t, wide::PatchShape&) override {}
-    void piece_crossings(const wide::PatchPiece&, const wide::PieceLine&, const wide::PlanePart*,
-                         const wide::HitSink&) override {}
-    bool blocks(std::uint32_t, const wide::LaneRay&, const wide::LaneStart&, double) override {
-        return false;
-    }
-    void light_share(const wide::LaneRay&, const wide::LaneStart&, double, double*) override {}
 
   private:
     const World<double>& world_;
