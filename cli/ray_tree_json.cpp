@@ -82,12 +82,11 @@ class RayTreeJson {
     }
     Json of(const RayTree::Surface& s) const {
         const Material& material = scene_.materials[s.material];
-        static constexpr const char* patterns[] = {"image", "checker", "gradient"};
         Json texture;
         if (material.texture != none && scene_.settings.textures) {
-            const auto& pattern = scene_.textures[material.texture].pattern;
-            texture = {{"kind", patterns[pattern.index()]}};
-            if (const auto* image = std::get_if<ImageTexture>(&pattern))
+            const Texture& used = scene_.textures[material.texture];
+            texture = {{"kind", pattern_kind(used)}};
+            if (const auto* image = std::get_if<ImageTexture>(&used.pattern))
                 texture["file"] = scene_.images[image->image].path;
         }
         return {{"of", of(s.of)},

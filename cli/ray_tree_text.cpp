@@ -165,10 +165,10 @@ class RayTreeText {
         line(depth, text);
     }
     std::string texture_name(const Texture& texture) const {
-        if (std::holds_alternative<Checker>(texture.pattern)) return "checker";
-        if (std::holds_alternative<Gradient>(texture.pattern)) return "gradient";
-        const auto& image = std::get<ImageTexture>(texture.pattern);
-        return fmt::format("image \"{}\"", scene_.images[image.image].path);
+        if (const auto* image = std::get_if<ImageTexture>(&texture.pattern))
+            return fmt::format("image \"{}\"", scene_.images[image->image].path);
+        if (std::holds_alternative<VertexColors>(texture.pattern)) return "vertices";
+        return std::string(pattern_kind(texture));
     }
 
     void tell(const RayTree::Light& light, std::size_t depth) {

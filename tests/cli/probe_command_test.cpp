@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/cli/run_lancer.h"
 
@@ -76,6 +79,31 @@ TEST_F(Probe, NamesThePartOfAComposite) {
     EXPECT_EQ(of["leaf"]["place"], "pane.lancer:14:3");
     EXPECT_EQ(of["place"], "pane.lancer:12:1");
     EXPECT_THAT(probe({"30,15"}).out, HasSubstr("cylinder \"bore\" (pane.lancer:14:3)"));
+}
+
+TEST_F(Probe, NamesEachKindOfTexture) {
+    place.write("painted.ppm", "P3 1 1 255 255 0 0");
+    const std::string before = R"(image { width 3 height 3 }
+camera main { position [0, 0, 5] look_at [0, 0, 0] fov 20 }
+material m { color )";
+    const std::string after = R"( }
+mesh { vertices [[-9, -9, 0], [9, -9, 0], [0, 9, 0]] faces [[0, 1, 2]]
+       colors [[1, 0, 0], [0, 1, 0], [0, 0, 1]] material m })";
+    const std::vector<std::array<std::string, 3>> kinds{
+        {"vertex", "vertex", " of its vertices"},
+        {"texture { checker [[1, 1, 1], [0, 0, 0]] }", "checker", " of its checker"},
+        {"texture { gradient [1, 0, 0] stops [[0, [0, 0, 0]], [1, [1, 1, 1]]] }", "gradient",
+         " of its gradient"},
+        {R"(texture { image "painted.ppm" })", "image", R"( of its image "painted.ppm")"}};
+    for (const auto& [color, kind, words] : kinds) {
+        place.write("kinds.lancer", before + color + after);
+        const Finished text = place.run({"probe", "kinds.lancer", "1,1"});
+        EXPECT_EQ(text.code, 0) << text.err;
+        EXPECT_THAT(text.out, HasSubstr(words));
+        const json found =
+            json::parse(place.run({"probe", "kinds.lancer", "1,1", "--json", "-"}).out);
+        EXPECT_EQ(found["rays"][0]["contacts"][0]["surfaces"][0]["texture"]["kind"], kind);
+    }
 }
 
 TEST_F(Probe, WritesJsonWithTheColoursOfThePicture) {
