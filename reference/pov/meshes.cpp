@@ -9,25 +9,12 @@
 #include "model/bodies.h"
 #include "reference/pov/choices.h"
 #include "reference/pov/materials.h"
+#include "reference/pov/mesh_pieces.h"
 #include "reference/pov/shapes.h"
 
 namespace lancer::reference::pov {
 
 namespace {
-
-/// A normal whose length is twice the area of the face.
-Vec3d face_normal(const Mesh& mesh, const Mesh::Corners& face) {
-    const Vec3d& a = mesh.vertices[face[0]];
-    return cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
-}
-
-/// For a mesh without normals: the mean normal of the faces around each vertex, weighted by area.
-std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
-    std::vector<Vec3d> sum(mesh.vertices.size(), Vec3d(0.0));
-    for (const Mesh::Corners& face : mesh.faces)
-        for (const std::uint32_t corner : face) sum[corner] += face_normal(mesh, face);
-    return sum;
-}
 
 /// A mesh2 that is being built: lists of lines, each with its count.
 struct Mesh2 {
@@ -62,8 +49,34 @@ struct Mesh2 {
     }
 };
 
-/// A face without a normal at some corner is flat: it gets a normal of its own, after the given
-/// list.
+double largest_difference(const Vec3d& a, const Vec3d& b) {
+    return max_component(absolute(a - b));
+}
+
+/// POV-Ray takes a face for flat, and ignores its normals, if the components of all three differ by
+/// less than this.
+constexpr double equal_normals = 1e-5;
+
+/// Whether POV-Ray would show the face flat though its normals, all unit, are not the face's own.
+bool is_taken_for_flat(const std::array<Vec3d, 3>& normals, const Vec3d& face) {
+    if (!(length(face) > 0) || largest_difference(normals[0], normalize(face)) < equal_normals / 10)
+        return false;
+    return largest_difference(normals[0], normals[1]) < equal_normals &&
+           largest_difference(normals[0], normals[2]) < equal_normals;
+}
+
+/// The unit normal n turned by half as much again as POV-Ray takes for nothing.
+Vec3d turned_a_little(const Vec3d& n) {
+    Vec3d axis(0.0);
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(n[i]) < std::abs(n[least])) least = i;
+    axis[least] = 1;
+    return normalize(n + 1.5 * equal_normals * normalize(axis - n * n[least]));
+}
+
+/// Adds the normals of the mesh. A face without a normal at some corner is flat: it gets a normal
+/// of its own, after the given list.
 void add_normals(Mesh2& out, const Mesh& mesh) {
     const std::vector<Vec3d> normals = mesh.normals.empty() ? vertex_normals(mesh) : mesh.normals;
     const std::vector<Mesh::Corners>& indices =
@@ -82,6 +95,12 @@ void add_normals(Mesh2& out, const Mesh& mesh) {
         if (!complete) {
             corners.fill(static_cast<std::uint32_t>(out.normals.size()));
             add(face_normal(mesh, mesh.faces[f]));
+        } else if (std::array<Vec3d, 3> at{normalize(normals[corners[0]]),
+                                           normalize(normals[corners[1]]),
+                                           normalize(normals[corners[2]])};
+                   is_taken_for_flat(at, face_normal(mesh, mesh.faces[f]))) {
+            corners[2] = static_cast<std::uint32_t>(out.normals.size());
+            add(turned_a_little(at[2]));
         }
         out.normal_indices.push_back(Mesh2::corners(corners));
     }
@@ -130,68 +149,23 @@ Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
     return out;
 }
 
-double mean_edge(const Mesh& mesh) {
-    double sum = 0;
-    for (const Mesh::Corners& face : mesh.faces)
-        for (std::size_t i = 0; i < 3; ++i)
-            sum += length(mesh.vertices[face[i]] - mesh.vertices[face[(i + 1) % 3]]);
-    return sum / (3 * static_cast<double>(mesh.faces.size()));
-}
-
-/// Sorts the faces into cubes whose size is a few edges.
-std::vector<Mesh> pieces_of(const Mesh& mesh) {
-    const double cell = step_for(mean_edge(mesh) * edges_of_a_piece);
-    std::map<std::array<double, 3>, std::vector<std::size_t>> cells;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const Mesh::Corners& face = mesh.faces[f];
-        const Vec3d middle =
-            (mesh.vertices[face[0]] + mesh.vertices[face[1]] + mesh.vertices[face[2]]) / 3.0;
-        cells[{std::round(middle.x / cell), std::round(middle.y / cell),
-               std::round(middle.z / cell)}]
-            .push_back(f);
-    }
-    std::vector<Mesh> pieces;
-    // For a mesh without normals, the normals come from all its faces.
-    const std::vector<Vec3d> normals = mesh.normals.empty() ? vertex_normals(mesh) : mesh.normals;
-    const auto& normal_faces =
-        mesh.normals.empty() || mesh.normal_faces.empty() ? mesh.faces : mesh.normal_faces;
-    for (const auto& [place, faces] : cells) {
-        Mesh piece;
-        std::map<std::uint32_t, std::uint32_t> vertices;
-        std::map<std::uint32_t, std::uint32_t> kept_normals;
-        const auto index_in = [](auto& indices, std::uint32_t old, const auto& from, auto& to) {
-            const auto [at, is_new] =
-                indices.try_emplace(old, static_cast<std::uint32_t>(to.size()));
-            if (is_new) to.push_back(from[old]);
-            return at->second;
-        };
-        for (const std::size_t f : faces) {
-            Mesh::Corners corners{};
-            Mesh::Corners of_normals{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                corners[i] = index_in(vertices, mesh.faces[f][i], mesh.vertices, piece.vertices);
-                const std::uint32_t normal = normal_faces[f][i];
-                of_normals[i] =
-                    normal == none ? none : index_in(kept_normals, normal, normals, piece.normals);
-            }
-            piece.faces.push_back(corners);
-            piece.normal_faces.push_back(of_normals);
-        }
-        // Without a list, POV-Ray would compute normals from the piece's own faces.
-        if (piece.normals.empty()) piece.normals.emplace_back(0.0);
-        pieces.push_back(std::move(piece));
-    }
-    return pieces;
-}
-
 /// POV-Ray stores the plane of a triangle in single precision. In a large mesh of small triangles,
 /// a shadow ray that grazes one therefore meets it again, further away than the distance at which
 /// POV-Ray drops hits. Pieces that are each near their own origin avoid this. Pieces have no
 /// inside, so a mesh that light enters stays whole.
 bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) {
-    return !writer.in_composite && mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh) &&
-           !is_of_vertices(writer.scene, writer.scene.materials[object.material]) &&
-           !lets_light_pass(writer.scene, writer.scene.materials[object.material]);
+    const Material& material = writer.scene.materials[object.material];
+    if (writer.in_composite || lets_light_pass(writer.scene, material)) return false;
+    if (is_of_vertices(writer.scene, material)) return has_upright_face(mesh);
+    return mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh);
+}
+
+void write_mesh(Writer& writer, const MeshPiece& piece, bool smooth, PowerOfTen own, bool closed,
+                const Material* material) {
+    Mesh2 out = convert(piece.mesh, smooth, own);
+    if (material != nullptr) add_colors(out, piece.mesh);
+    out.place = compose(piece.back, out.place);
+    out.write(writer, closed, material);
 }
 
 MeshKey mesh_key(const Writer& writer, const Object& object, const MeshRef& shape, PowerOfTen own) {
@@ -225,17 +199,14 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     writer.text.open(fmt::format("#declare {} = {} {{  // {} vertices, {} faces", name,
                                  in_pieces ? "union" : "mesh2", mesh.vertices.size(),
                                  mesh.faces.size()));
-    const std::uint32_t material = std::get<4>(key);
-    if (!in_pieces) {
-        Mesh2 whole = convert(mesh, smooth, own);
-        if (material != none) add_colors(whole, mesh);
-        whole.write(writer, is_body(writer.scene, *shape),
-                    material != none ? &writer.scene.materials[material] : nullptr);
-    }
+    const std::uint32_t colored = std::get<4>(key);
+    const Material* material = colored == none ? nullptr : &writer.scene.materials[colored];
+    if (!in_pieces)
+        write_mesh(writer, {mesh}, smooth, own, is_body(writer.scene, *shape), material);
     if (in_pieces)
-        for (const Mesh& piece : pieces_of(mesh)) {
+        for (const MeshPiece& piece : material ? pieces_by_axis(mesh) : pieces_by_place(mesh)) {
             writer.text.open("mesh2 {");
-            convert(piece, smooth, own).write(writer, false, nullptr);
+            write_mesh(writer, piece, smooth, own, false, material);
             writer.text.close();
         }
     writer.text.close();

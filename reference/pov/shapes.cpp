@@ -7,12 +7,19 @@
 
 #include "reference/pov/choices.h"
 #include "reference/pov/composites.h"
+#include "reference/pov/materials.h"
 #include "reference/pov/pigments.h"
 #include "reference/pov/shapes.h"
 
 namespace lancer::reference::pov {
 
 namespace {
+
+bool has_uv_image(const Scene& scene, const Object& object) {
+    const Texture* texture = texture_of(scene, scene.materials[object.material]);
+    const auto* image = texture == nullptr ? nullptr : std::get_if<ImageTexture>(&texture->pattern);
+    return image != nullptr && image->mapping == ImageTexture::Mapping::uv;
+}
 
 struct ShapeOpener {
     Writer& writer;
@@ -44,7 +51,10 @@ struct ShapeOpener {
     }
     /// Uses Sturm's method: the default one misses roots of the quartic.
     bool operator()(const Torus& s) const {
-        return open("torus { " + number(own(s.radius)) + ", " + number(own(s.tube)) + " sturm");
+        open("torus { " + number(own(s.radius)) + ", " + number(own(s.tube)) + " sturm");
+        // POV-Ray's u begins on the other side and runs the other way: the mirrored torus has ours.
+        if (has_uv_image(writer.scene, object)) writer.text.line("scale <-1, 1, 1>");
+        return true;
     }
     bool operator()(const Plane& s) const {
         return open("plane { " + vector(s.normal) + ", " + number(own(s.offset)));
@@ -119,14 +129,7 @@ struct UvWriter {
 
     void operator()(const CompositeRef&) const {}  // the texture belongs to its leaves
     void operator()(const Sphere&) const { native(); }
-    /// POV-Ray's u runs in the opposite direction to that of its spheres and lathes.
-    void operator()(const Torus&) const {
-        writer.text.open("pigment {");
-        line("uv_mapping " + picture());
-        line(transform(to_object));
-        line("scale <-1, 1, 1> translate <1, 0, 0>");
-        writer.text.close();
-    }
+    void operator()(const Torus&) const { native(); }  // ShapeOpener turns it
     void operator()(const Plane&) const { planar(); }
     void operator()(const Triangle& shape) const {
         const bool mapped = shape.attributes != none &&
