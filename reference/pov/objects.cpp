@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <variant>
+
 #include "model/bodies.h"
 #include "model/parts.h"
 #include "reference/pov/composites.h"
@@ -33,9 +36,40 @@ bool open_object(Writer& writer, std::uint32_t index) {
     return true;
 }
 
+/// Whether the point, in the shape's own space, lies in a ball or a box. False for all other
+/// shapes.
+struct Holds {
+    const Vec3d& p;
+
+    bool operator()(const Sphere& s) const { return length(p - s.center) < s.radius; }
+    bool operator()(const Box& s) const {
+        return p.x > s.min.x && p.y > s.min.y && p.z > s.min.z && p.x < s.max.x && p.y < s.max.y &&
+               p.z < s.max.z;
+    }
+    bool operator()(const auto&) const { return false; }
+};
+
+/// Whether the object is an opaque room around the camera in a scene with Fresnel glass.
+///
+/// POV-Ray counts the room among the bodies around the ray. Where the ray leaves a glass, Fresnel's
+/// term then takes the glass itself for what lies beyond, and mirrors nothing. No ray leaves the
+/// room, so that it may as well be written inside out: then the camera is not in it.
+bool is_room_around_glass(const Writer& writer, const Object& object) {
+    const Scene& scene = writer.scene;
+    if (lets_light_pass(scene, object)) return false;
+    const Affine<long double> to_own =
+        inverse(convert<long double>(scene.transforms[object.transform]));
+    const Vec3d eye = convert<double>(
+        map_point(to_own, convert<long double>(scene.cameras[writer.view.camera].position)));
+    return std::visit(Holds{eye}, object.shape) &&
+           std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const Material& m) { return m.fresnel && lets_light_pass(scene, m); });
+}
+
 /// Writes what belongs to the object but not to the parts of a merged one.
 void write_inside_and_shadow(Writer& writer, const Object& object) {
     const Scene& scene = writer.scene;
+    if (is_room_around_glass(writer, object)) writer.text.line("inverse");
     write_interior(writer, scene.materials[object.material], is_body(scene, object.shape),
                    lets_light_pass(scene, object));
     if (!object.casts_shadow || !scene.settings.shadows) writer.text.line("no_shadow");
