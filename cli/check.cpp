@@ -20,10 +20,12 @@ struct CheckJob {
 ExitCode check(const std::string& path, const CheckJob& job, Session& session) {
     try {
         SceneLoader loader(path, job.scene_options, session);
-        const Scene scene = loader.load();
-        std::vector<Diagnostic> hints = missing_parts(scene);
-        for (Diagnostic& hint : smoothed_edges(scene)) hints.push_back(std::move(hint));
-        session.terminal.show(std::move(hints), session.sources);
+        loader.show_too([](const Scene& scene) {
+            std::vector<Diagnostic> hints = missing_parts(scene);
+            for (Diagnostic& hint : smoothed_edges(scene)) hints.push_back(std::move(hint));
+            return hints;
+        });
+        loader.load();
     } catch (const SceneRejected& rejected) {
         return rejected.code;
     } catch (const FileError& error) {

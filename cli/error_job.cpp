@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -128,21 +129,36 @@ class PassPace {
     bool go_on(const accuracy::PassState& state) {
         const double now = clock_.seconds();
         if (state.rays > rays_) {
-            const double per_ray = (now - last_) / static_cast<double>(state.rays - rays_);
-            // The first passes are alike. Later ones, like audits, go where rays cost more.
-            per_ray_ = state.passes > 9 ? 0.8 * per_ray_ + 0.2 * per_ray : per_ray;
+            // The scattered rays before the first pass cost more each.
+            if (state.passes == 1) count_ = 0, measured_ = 0, measured_seconds_ = 0;
+            measured_ += state.rays - rays_;
+            measured_seconds_ += now - last_;
+            rates_[count_++ % rates_.size()] =
+                (now - last_) / static_cast<double>(state.rays - rays_);
         }
         rays_ = state.rays;
         if (state.passes > 0) show(state, now);
         last_ = clock_.seconds();
         if (options_.passes) return state.passes < *options_.passes;
         const double needed =
-            per_ray_ * static_cast<double>(state.next + state.audits) + show_seconds_;
+            per_ray() * static_cast<double>(state.next + state.audits) + show_seconds_;
         if (state.passes == 0) check(needed);
         return last_ + needed <= *options_.seconds;
     }
 
   private:
+    /// Seconds: the median of the last passes, which go where rays cost more, but not much more
+    /// than the mean of all. A pass that had to wait for the processor says little about the next.
+    double per_ray() const {
+        if (count_ == 0) return 0;
+        std::array<double, 5> sorted = rates_;
+        const auto end =
+            sorted.begin() + static_cast<std::ptrdiff_t>(std::min(count_, sorted.size()));
+        const auto middle = sorted.begin() + (end - sorted.begin()) / 2;
+        std::nth_element(sorted.begin(), middle, end);
+        return std::min(*middle, 1.5 * measured_seconds_ / static_cast<double>(measured_));
+    }
+
     /// A few scattered rays cost more each than those of a picture, so only a clearly too short
     /// time is refused.
     void check(double needed) const {
@@ -164,7 +180,10 @@ class PassPace {
     const PassClock& clock_;
     double last_;
     std::uint64_t rays_ = 0;
-    double per_ray_ = 0;
+    std::array<double, 5> rates_{};  ///< seconds per ray of the last passes, in no order
+    std::size_t count_ = 0;          ///< passes measured
+    std::uint64_t measured_ = 0;     ///< their rays
+    double measured_seconds_ = 0;
     double next_show_ = 0;
     double show_seconds_ = 0;
 };

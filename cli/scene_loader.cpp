@@ -126,7 +126,7 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     });
     evaluate_seconds_ += watch.seconds();
 
-    for (const std::string& text : evaluation.printed) session_.terminal.line(text);
+    session_.terminal.lines(evaluation.printed);
     // A wrong -D causes further errors in the scene, so it is reported alone. But after a syntax
     // error, it may be wrong only because the declaration of its param could not be parsed.
     if (!evaluation.usage_errors.empty() && syntax_errors_.empty()) {
@@ -137,6 +137,11 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
                                      in_value ? session_.sources.name(first.where.file) + ": " : "",
                                      first.message, first.hint.empty() ? "" : ": ", first.hint));
     }
+    const bool is_right = std::none_of(found.begin(), found.end(), [](const Diagnostic& d) {
+        return d.severity == Severity::error;
+    });
+    if (hints_ && is_right)
+        for (Diagnostic& hint : hints_(evaluation.scene)) found.push_back(std::move(hint));
     show_new(std::move(found));
     return std::move(evaluation.scene);
 }

@@ -1,10 +1,12 @@
 // Loads a scene file: reads and parses it once, and evaluates it once per frame.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/session.h"
@@ -35,6 +37,12 @@ class SceneLoader {
     /// param or when an output of the run would replace a file that the scene reads.
     Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
+    /// What load() shows of a scene without mistakes, beside its own diagnostics and counted with
+    /// them.
+    void show_too(std::function<std::vector<Diagnostic>(const Scene&)> hints) {
+        hints_ = std::move(hints);
+    }
+
     /// Digest of the definitions and of the contents of all files that were read for the scenes
     /// loaded so far; file names do not count. Equal digests mean equal scenes. To be called after
     /// load(), which reads each file once: the bytes of that moment count. Throws FileError.
@@ -55,6 +63,7 @@ class SceneLoader {
 
     SceneOptions options_;
     Session& session_;
+    std::function<std::vector<Diagnostic>(const Scene&)> hints_;
     Script script_;
     std::vector<Diagnostic> syntax_errors_;
     /// digests of the other files that were read, by path

@@ -101,6 +101,19 @@ void Terminal::line(std::string_view text) const {
     put(fmt::format("{}\n", text));
 }
 
+void Terminal::lines(const std::vector<std::string>& texts) const {
+    std::string all;
+    for (const std::string& text : texts) {
+        all += text;
+        all += '\n';
+        if (all.size() > 65536) {
+            put(all);
+            all.clear();
+        }
+    }
+    if (!all.empty()) put(all);
+}
+
 std::string with_colors(std::string_view diagnostic) {
     std::string out;
     while (!diagnostic.empty()) {

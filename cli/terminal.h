@@ -24,6 +24,8 @@ class Terminal {
     void error(const std::string& message) const;
     /// A line of plain text.
     void line(std::string_view text) const;
+    /// Many lines of plain text, in few writes.
+    void lines(const std::vector<std::string>& texts) const;
 
   private:
     bool interactive_ = false;

@@ -156,7 +156,7 @@ namespace lancer {
     M(template_and_block,     "'{}' is also a block: '{}(...)' calls this template") \
     M(hides_function,         "'{}' is also a built-in function: from here on this definition is called instead") \
     M(color_far_above_white,  "the colour {} is far brighter than white") \
-    M(fov_of_radians,         "a field of view of {} degrees is very narrow") \
+    M(fov_of_radians,         "the field of view 'fov {}' is very narrow") \
     M(angle_of_degrees,       "'{}' takes radians, but {} is more than a full turn") \
     M(degenerate_triangles,   "{} left out: the corners are on one line") \
     M(mesh_file,              "{}") \

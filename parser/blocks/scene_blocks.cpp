@@ -122,8 +122,9 @@ void warn_of_radians(BlockReader& block, double fov, double distance) {
     Diagnostic* warning =
         block.report().warning(Message::fov_of_radians, block.place("fov"), to_text(fov));
     if (warning != nullptr)
-        warning->hint = fmt::format("fov is in degrees: for {} radians write fov {:.0f}",
-                                    to_text(fov), fov * 180 / 3.141592653589793);
+        warning->hint =
+            fmt::format("fov is in degrees: if {} is meant in radians, write fov {:.0f}",
+                        to_text(fov), fov * 180 / 3.141592653589793);
 }
 
 }  // namespace

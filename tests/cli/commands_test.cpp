@@ -102,6 +102,15 @@ TEST(Commands, AnEmptySceneIsNoMistake) {
     EXPECT_THAT(finished.err, HasSubstr("warning: the scene has no light"));
 }
 
+TEST(Commands, CheckCountsAllWarningsOnce) {
+    const Workplace place;
+    const Finished finished =
+        place.run({"check", "-"}, "camera c { position [0, 0, 5] look_at [0, 0, 0] fov 1 }");
+    EXPECT_EQ(finished.code, 0);
+    EXPECT_THAT(finished.err, HasSubstr("'fov 1' is very narrow"));
+    EXPECT_TRUE(finished.err.ends_with("\n2 warnings\n")) << finished.err;
+}
+
 TEST(Commands, CheckReadsAllScenesAndTellsTheWorst) {
     const Workplace place;
     place.write("good.lancer", small_scene());
