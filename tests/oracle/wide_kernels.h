@@ -30,6 +30,8 @@ struct WideKernels {
                     WideAnswer* out);
     void (*torus)(const wide::Torus& torus, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
+    /// `unsure`: the line may meet it
+    void (*disc)(const wide::Disc& disc, const wide::LaneRay* rays, WideAnswer* out);
     /// \param exact    knows the patch
     /// \param face     a piece that the rays start on, or `nothing`
     /// \param normals  of what they start on; null: unknown

@@ -84,6 +84,9 @@ inline void torus_kernel(const Torus& torus, const LaneRay* rays, double limit,
     hits.unsure |= torus_crossings(Scene{}, torus, 0, rays_of(rays), 255, 0, hits);
     put_answers(hits, out);
 }
+inline void disc_kernel(const Disc& disc, const LaneRay* rays, oracle::WideAnswer* out) {
+    put_answers(0, may_meet(disc, rays_of(rays)), out);
+}
 inline void patch_kernel(ExactMethods& exact, const LaneRay* from, std::uint32_t face,
                          const double (*normals)[3], double limit, oracle::WideAnswer* out) {
     NearestHits hits;
@@ -304,13 +307,11 @@ inline void arc_cosine_kernel(const double* x, double* out) {
 }
 
 inline constexpr oracle::WideKernels kernels{
-    ball_kernel,         from_ball_kernel,      box_kernel,
-    frustum_kernel,      torus_kernel,          patch_kernel,
-    plane_kernel,        triangle_kernel,       ball_shadow_kernel,
-    box_shadow_kernel,   frustum_shadow_kernel, torus_shadow_kernel,
-    patch_shadow_kernel, plane_shadow_kernel,   slabs_kernel,
-    local_kernel,        alone_kernel,          lone_mesh_kernel,
-    surfaces_kernel,     bend_kernel,           power_kernel,
-    arc_cosine_kernel};
+    ball_kernel,         from_ball_kernel,    box_kernel,          frustum_kernel,
+    torus_kernel,        disc_kernel,         patch_kernel,        plane_kernel,
+    triangle_kernel,     ball_shadow_kernel,  box_shadow_kernel,   frustum_shadow_kernel,
+    torus_shadow_kernel, patch_shadow_kernel, plane_shadow_kernel, slabs_kernel,
+    local_kernel,        alone_kernel,        lone_mesh_kernel,    surfaces_kernel,
+    bend_kernel,         power_kernel,        arc_cosine_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

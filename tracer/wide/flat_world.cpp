@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "tracer/wide/flat_tori.h"
+
 namespace lancer::wide {
 namespace {
 
@@ -122,7 +124,7 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
     if (const auto* torus = std::get_if<TorusSolid<double>>(&primitive.solid)) {
         item.kind = Kind::torus;
         item.shape = static_cast<std::uint32_t>(tori_.size());
-        tori_.push_back({torus->ring, torus->tube, torus->shrink, torus->grow, primitive.frame});
+        tori_.push_back(flat_torus(*torus, primitive.frame, world.frames.data()));
     }
     if (std::holds_alternative<BicubicSolid<double>>(primitive.solid)) {
         item.kind = Kind::patch;

@@ -20,6 +20,7 @@
 //
 #include "tracer/wide/balls.h"
 #include "tracer/wide/boxes.h"
+#include "tracer/wide/discs.h"
 #include "tracer/wide/frustums.h"
 #include "tracer/wide/planes.h"
 #include "tracer/wide/triangles.h"

@@ -55,10 +55,19 @@ struct Frustum {
     bool capped, tilted;
 };
 
+/// The flat part of a ball, in the world, that a torus lies in: discs.h.
+struct Disc {
+    double center[3];
+    double axis[3];         ///< times a vector: how far it climbs in the torus' own space
+    double radius, height;  ///< in the world; in the torus' own space
+    double blur, lift;      ///< what a displacement of a ray adds to both, per length
+};
+
 /// TorusSolid<double>
 struct Torus {
     double ring, tube, shrink, grow;
     std::uint32_t frame;  ///< index into Scene::frames; `nothing`: in world space
+    Disc disc;
 };
 
 /// Frame<double>

@@ -86,10 +86,12 @@ class TorusLines {
         Mask active;       ///< still on the way
         Mask found = 0;    ///< at a root
         Mask on_root = 0;  ///< at the start on the surface
+        Numbers margin;    ///< f counts as smaller by so much
     };
     LANCER_INLINE void step(Search& s) const {
         const Numbers zero = all(0.0);
-        const TorusPlaces p = place(s.at);
+        TorusPlaces p = place(s.at);
+        p.f = p.f - s.margin;
         const Mask arrived = s.active & ~s.on_root & ~less(zero, p.f);
         s.found |= arrived;
         s.active &= ~arrived;
@@ -130,15 +132,39 @@ class TorusLines {
     }
 
     /// How far a line stays inside at least from where it goes in: the next root's first step.
+    /// Where the line bends inwards, a fixed length takes the place of the tangent's.
     LANCER_INLINE Numbers least_chord(const Numbers& at) const {
         const Numbers zero = all(0.0);
         const TorusPlaces p = place(at);
         const Numbers s = -p.slope;
-        const Numbers stretch = all(2.0) * s / p.bend;
+        const Numbers least = all(2 * ring_ * tube_) * dd_;
+        const Numbers stretch = all(2.0) * s / larger(p.bend, least);
         const Numbers u = dd_ * stretch;
         const Numbers c = p.bend + larger(u * (all(4.0) * p.climb + u), zero);
-        const Mask deep = less(zero, s) & less(zero, p.bend);
-        return select(deep, s / c, zero);
+        const Numbers chord = select(less(zero, c), smaller(s / c, stretch), stretch);
+        return select(less(zero, s), chord, zero);
+    }
+
+    /// What f is larger than wherever the scalar search finds no root. At its roots f is at most
+    /// the noise there, which is largest where k and y are the tube's.
+    LANCER_INLINE Numbers clear_margin() const {
+        return all(32.0) * noise_at(all(2 * ring_ * tube_), all(tube_));
+    }
+
+    /// Which lines go in at a root that step() found, whatever rounding did: f falls there so
+    /// steeply that its curvature changes less than a quarter of it on either side, until f is
+    /// clear of its rounding error. The scalar search finds this root too, with an error that is
+    /// below `near`.
+    ///
+    /// \param last  where nothing matters any more
+    LANCER_INLINE Mask certainly_enter(const Numbers& at, const Numbers& last) const {
+        const TorusPlaces p = place(at);
+        const Numbers margin = clear_margin();
+        const Numbers t = ray_parameter(at);
+        const Numbers near =
+            all(-16.0) * margin / p.slope + bound<16>() * (absolute(at) + absolute(slide_));
+        return less(p.slope, all(0.0)) & less(all(16.0) * margin * most_bend(), p.slope * p.slope) &
+               less(near, t) & less(t + near, last);
     }
 
     /// climbs_clear()
