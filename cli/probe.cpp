@@ -148,7 +148,7 @@ Found find(const ProbeJob& job, Scene& scene, const Session& session) {
 
 ExitCode probe(const ProbeJob& job, Session& session) {
     session.will_write(job.json, "--json");
-    SceneLoader loader(job.scene, job.scene_options, session);
+    SceneLoader loader(job.scene, job.scene_options, session, job.settings.reading_threads());
     Scene scene = loader.load(0, 0);
     session.terminal.show(missing_parts(scene), session.sources);
     const Found found = find(job, scene, session);

@@ -30,7 +30,7 @@ class Rendering {
     Rendering(const RenderJob& job, Session& session)
         : job_(job),
           session_(session),
-          loader_(job.scene, job.scene_options, session),
+          loader_(job.scene, job.scene_options, session, job.settings.reading_threads()),
           progress_(session.terminal, job.quiet, frame_count(job)) {}
 
     /// Makes one picture, from the script to the file.

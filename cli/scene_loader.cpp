@@ -32,8 +32,8 @@ std::string without_blanks(const std::string& text) {
 }
 
 /// Reads from disk, and calls `note` with the path of each file.
-Loader noting_loader(const std::function<void(const std::string& path)>& note) {
-    const Loader disk = disk_loader();
+Loader noting_loader(int threads, const std::function<void(const std::string& path)>& note) {
+    const Loader disk = disk_loader(threads);
     return {[note, disk](const std::string& path, std::size_t limit) {
                 note(path);
                 return disk.text(path, limit);
@@ -99,8 +99,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
     add_picture_options(app);
 }
 
-SceneLoader::SceneLoader(const std::string& path, const SceneOptions& options, Session& session)
-    : options_(options), session_(session) {
+SceneLoader::SceneLoader(const std::string& path, const SceneOptions& options, Session& session,
+                         int threads)
+    : options_(options), session_(session), threads_(threads) {
     const Stopwatch watch;
     session.files.add_input(path);
     std::string text = io::read_file(path, most_bytes_read(options.limits));
@@ -122,7 +123,7 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     Evaluation evaluation;
     run_on_deep_stack(options_.limits, [&] {
         evaluation = evaluate(script_, definitions, options_.limits, session_.sources, found,
-                              noting_loader(note));
+                              noting_loader(threads_, note));
     });
     evaluate_seconds_ += watch.seconds();
 

@@ -29,8 +29,10 @@ void add_scene_options(CLI::App& app, SceneOptions& options);
 class SceneLoader {
   public:
     /// Reads the file at `path` (`-`: standard input). Throws FileError, and UsageError when an
-    /// output of the run would replace it. Shows no diagnostics yet.
-    SceneLoader(const std::string& path, const SceneOptions& options, Session& session);
+    /// output of the run would replace it. Shows no diagnostics yet. `threads` read large meshes
+    /// (0: as many as the machine has).
+    SceneLoader(const std::string& path, const SceneOptions& options, Session& session,
+                int threads = 0);
 
     /// The scene of one frame. Shows the output of `print`, and every diagnostic that was not shown
     /// before. Throws SceneRejected when there are errors, and UsageError when -D names an unknown
@@ -64,6 +66,7 @@ class SceneLoader {
     SceneOptions options_;
     Session& session_;
     std::function<std::vector<Diagnostic>(const Scene&)> hints_;
+    int threads_;
     Script script_;
     std::vector<Diagnostic> syntax_errors_;
     /// digests of the other files that were read, by path

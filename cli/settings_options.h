@@ -27,6 +27,8 @@ struct SettingsOptions {
     bool no_smooth = false;
     bool no_textures = false;
 
+    /// Threads that read a scene; 0: as many as the machine has.
+    int reading_threads() const { return static_cast<int>(threads.value_or(0)); }
     /// Options of the command line replace `settings`. In the result `threads` is never 0.
     void apply_to(Settings& settings) const;
 };

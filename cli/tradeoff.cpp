@@ -54,7 +54,7 @@ struct TradeOffScene {
 };
 
 TradeOffScene load(const std::string& path, const TradeOffJob& job, Session& session) {
-    SceneLoader loader(path, job.scene_options, session);
+    SceneLoader loader(path, job.scene_options, session, job.settings.reading_threads());
     TradeOffScene loaded;
     loaded.name = path == "-" ? "standard input" : path;
     loaded.scene = loader.load();

@@ -17,12 +17,13 @@ Script::Script(Script&&) noexcept = default;
 Script& Script::operator=(Script&&) noexcept = default;
 Script::~Script() = default;
 
-Loader disk_loader() {
-    return {[](const std::string& path, std::size_t limit) { return io::read_file(path, limit); },
-            [](const std::string& path) { return io::read_mesh(path); },
-            [](const std::string& path, io::ColorSpace space) {
-                return io::read_texture(path, space);
-            }};
+Loader disk_loader(int threads) {
+    return {
+        [](const std::string& path, std::size_t limit) { return io::read_file(path, limit); },
+        [threads](const std::string& path) { return io::read_mesh(path, {.threads = threads}); },
+        [](const std::string& path, io::ColorSpace space) {
+            return io::read_texture(path, space);
+        }};
 }
 
 std::uint32_t add_source(SourceMap& sources, std::string name, std::string text) {

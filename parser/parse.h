@@ -47,8 +47,9 @@ struct Loader {
     std::function<Image(const std::string& path, io::ColorSpace space)> image;
 };
 
-/// Reads from disk, by the functions of model/io.
-Loader disk_loader();
+/// Reads from disk, by the functions of model/io, large meshes with `threads` threads (0: as many
+/// as the machine has).
+Loader disk_loader(int threads = 1);
 
 /// A parsed script. Included files are read when the script reaches them. They, meshes and images
 /// are kept, so that a second evaluation (the next frame) reads nothing again.

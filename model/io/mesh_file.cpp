@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "model/diagnostic.h"
 #include "model/io/file.h"
 #include "model/io/obj_reader.h"
@@ -11,18 +13,41 @@
 
 namespace lancer::io {
 
-LoadedMesh read_mesh(const std::string& path) {
-    return read_mesh(read_file(path), path);
-}
+namespace {
 
-LoadedMesh read_mesh(std::string_view bytes, const std::string& name) {
+/// Calls `is_read` when the bytes are not needed any more.
+LoadedMesh read(std::string_view bytes, const std::string& name, const MeshReading& reading,
+                const std::function<void()>& is_read) {
     const std::size_t dot = name.rfind('.');
     std::string ending = dot == std::string::npos ? "" : name.substr(dot + 1);
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (ending == "obj") return build_mesh(read_obj(bytes, name), name);
-    if (ending == "ply") return build_mesh(read_ply(bytes, name), name);
-    if (ending == "stl") return build_mesh(read_stl(bytes, name), name);
-    throw FileError(fmt::format("cannot read '{}': a mesh file ends in .obj, .ply or .stl", name));
+    PolygonSoup soup;
+    if (ending == "obj") {
+        std::vector<ObjChunk> chunks = read_obj(bytes, name, reading);
+        is_read();
+        soup = join_obj(std::move(chunks));
+    } else if (ending == "ply") {
+        soup = read_ply(bytes, name);
+        is_read();
+    } else if (ending == "stl") {
+        soup = read_stl(bytes, name);
+        is_read();
+    } else {
+        throw FileError(
+            fmt::format("cannot read '{}': a mesh file ends in .obj, .ply or .stl", name));
+    }
+    return build_mesh(std::move(soup), name);
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const std::string& path, const MeshReading& reading) {
+    std::string bytes = read_file(path);
+    return read(bytes, path, reading, [&] { std::string().swap(bytes); });
+}
+
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name, const MeshReading& reading) {
+    return read(bytes, name, reading, [] {});
 }
 
 }  // namespace lancer::io

@@ -32,15 +32,24 @@ struct LoadedMesh {
     std::vector<std::string> warnings;
 };
 
+/// How a mesh is read; the result is the same.
+struct MeshReading {
+    int threads = 1;  ///< 0: as many as the machine has
+    /// How much of an OBJ file is one task, at least to the end of a line; 0: it is chosen by the
+    /// file's size.
+    std::size_t chunk_bytes = 0;
+};
+
 /// Reads a mesh in the format of the ending of `path`. Faces with more than three corners are
 /// split: a convex one as a fan from its first corner, a concave one by ear clipping. Throws
 /// FileError, whose message names the file and the place in it (line, byte or face), when the file
 /// cannot be read, is truncated, is not a mesh, or has a vertex that is not finite or an index out
 /// of range.
-LoadedMesh read_mesh(const std::string& path);
+LoadedMesh read_mesh(const std::string& path, const MeshReading& reading = {});
 
 /// The same for bytes, as if from a file called `name`.
-LoadedMesh read_mesh(std::string_view bytes, const std::string& name);
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name,
+                     const MeshReading& reading = {});
 
 /// Appends the triangles of the face with these corners (indices into `vertices`) to `triangles`.
 /// Each triangle is given by positions 0..n-1 of its corners in the face, so that normals and uvs

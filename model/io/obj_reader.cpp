@@ -24,27 +24,24 @@ constexpr std::array<std::string_view, 38> skipped_statements{
 
 class ObjReader {
   public:
-    ObjReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name, '#', '\\') {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (bytes.starts_with(byte_order_mark)) {
-            scanner_ = TextScanner(bytes.substr(byte_order_mark.size()), name, '#', '\\');
-        }
+    ObjReader(std::string_view bytes, const std::string& name, const ObjCounts& before,
+              const ObjCounts& within)
+        : scanner_(bytes, name, '#', '\\', before.lines + 1), before_(before) {
+        soup_.vertices.reserve(within.vertices);
+        soup_.uvs.reserve(within.uvs);
+        soup_.normals.reserve(within.normals);
+        soup_.corners.reserve(3 * within.faces);
+        soup_.face_ends.reserve(within.faces);
+        soup_.face_lines.reserve(within.faces);
     }
 
-    PolygonSoup read() {
-        soup_.first_index = 1;
+    ObjChunk read() {
         while (!scanner_.at_end()) {
             statement(scanner_.word());
             scanner_.next_line();
         }
-        if (soup_.normal_corners.empty()) soup_.normals.clear();
-        if (soup_.uv_corners.empty()) soup_.uvs.clear();
-        if (!soup_.colors.empty()) {
-            soup_.colors.resize(soup_.vertices.size(), Vec3d(1.0));
-            if (!colorless_.empty() && soup_.bad_colors.empty())
-                soup_.warnings.push_back(colorless_);
-        }
-        return std::move(soup_);
+        if (!chunk_.material) chunk_.first_faces = soup_.face_ends.size();
+        return std::move(chunk_);
     }
 
   private:
@@ -52,13 +49,15 @@ class ObjReader {
         if (keyword == "v") {
             vertex();
         } else if (keyword == "vn") {
-            soup_.normals.push_back(
-                vector("a component of the normal", soup_.normals, soup_.bad_normals));
+            soup_.normals.push_back(vector("a component of the normal",
+                                           soup_.normals.size() + before_.normals,
+                                           soup_.bad_normals));
         } else if (keyword == "vt") {
             const char* what = "a texture coordinate";
             const double u = scanner_.any_number(what);
             const double v = scanner_.at_line_end() ? 0 : scanner_.any_number(what);
-            note_bad(std::isfinite(u) && std::isfinite(v), what, soup_.uvs.size(), soup_.bad_uvs);
+            note_bad(std::isfinite(u) && std::isfinite(v), what, soup_.uvs.size() + before_.uvs,
+                     soup_.bad_uvs);
             soup_.uvs.emplace_back(u, v);
         } else if (keyword == "f" || keyword == "fo") {
             face();
@@ -84,7 +83,8 @@ class ObjReader {
     /// Three more numbers are a colour in linear light; a single one is a weight. If only some
     /// vertices have a colour, the others are white, and the first of them causes a warning.
     void vertex() {
-        const Vec3d place = coordinates("a coordinate", soup_.vertices, soup_.bad_vertices);
+        const Vec3d place = coordinates("a coordinate", soup_.vertices.size() + before_.vertices,
+                                        soup_.bad_vertices);
         std::array<double, 3> more{};
         std::size_t count = 0;
         for (; !scanner_.at_line_end(); ++count) {
@@ -97,11 +97,11 @@ class ObjReader {
             soup_.colors.resize(soup_.vertices.size(), Vec3d(1.0));
             if (!is_light)
                 soup_.bad_colors.emplace(
-                    static_cast<std::uint32_t>(soup_.colors.size()),
+                    static_cast<std::uint32_t>(soup_.colors.size() + before_.vertices),
                     scanner_.error("the colour of this vertex is negative or not finite").what());
             soup_.colors.push_back(color);
-        } else if (colorless_.empty()) {
-            colorless_ =
+        } else if (chunk_.colorless.empty()) {
+            chunk_.colorless =
                 scanner_.error("this vertex has no colour, but others have one: it becomes white")
                     .what();
         }
@@ -109,18 +109,18 @@ class ObjReader {
     }
 
     /// More numbers may follow on the line; they are only checked.
-    Vec3d vector(const char* what, const std::vector<Vec3d>& list, Bad& bad) {
-        const Vec3d read = coordinates(what, list, bad);
+    Vec3d vector(const char* what, std::size_t at, Bad& bad) {
+        const Vec3d read = coordinates(what, at, bad);
         while (!scanner_.at_line_end()) scanner_.any_number("a number");
         return read;
     }
 
-    Vec3d coordinates(const char* what, const std::vector<Vec3d>& list, Bad& bad) {
+    Vec3d coordinates(const char* what, std::size_t at, Bad& bad) {
         const double x = scanner_.any_number(what);
         const double y = scanner_.any_number(what);
         const double z = scanner_.any_number(what);
         const Vec3d read(x, y, z);
-        note_bad(is_finite(read), what, list.size(), bad);
+        note_bad(is_finite(read), what, at, bad);
         return read;
     }
 
@@ -130,14 +130,16 @@ class ObjReader {
         const std::size_t begin = soup_.corners.size();
         soup_.face_lines.push_back(scanner_.line());
         while (!scanner_.at_line_end()) {
-            soup_.corners.push_back(
-                index(scanner_.integer("a vertex index"), soup_.vertices.size(), "a vertex index"));
+            soup_.corners.push_back(index(scanner_.integer("a vertex index"),
+                                          soup_.vertices.size() + before_.vertices,
+                                          "a vertex index"));
             std::uint32_t uv = none;
             std::uint32_t normal = none;
             if (scanner_.skip('/')) {
-                uv = optional_index(soup_.uvs.size(), "a texture vertex index");
+                uv = optional_index(soup_.uvs.size() + before_.uvs, "a texture vertex index");
                 if (scanner_.skip('/'))
-                    normal = optional_index(soup_.normals.size(), "a normal index");
+                    normal =
+                        optional_index(soup_.normals.size() + before_.normals, "a normal index");
             }
             append(soup_.uv_corners, uv);
             append(soup_.normal_corners, normal);
@@ -149,7 +151,7 @@ class ObjReader {
         // Only files with materials need this list.
         if (soup_.materials.empty()) return;
         soup_.face_materials.resize(soup_.face_ends.size() - 1, none);
-        soup_.face_materials.push_back(material_);
+        soup_.face_materials.push_back(chunk_.material.value_or(none));
     }
 
     /// The text up to the end of the line or a comment, without surrounding blanks. Names may
@@ -162,11 +164,12 @@ class ObjReader {
     }
 
     void use_material(const std::string& name) {
-        material_ = none;
+        if (!chunk_.material) chunk_.first_faces = soup_.face_ends.size();
+        chunk_.material = none;
         if (name.empty()) return;
         const auto [at, is_new] =
             numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size()));
-        material_ = at->second;
+        chunk_.material = at->second;
         if (is_new) soup_.materials.push_back(name);
     }
 
@@ -199,16 +202,17 @@ class ObjReader {
     }
 
     TextScanner scanner_;
-    PolygonSoup soup_;
+    const ObjCounts before_;
+    ObjChunk chunk_;
+    PolygonSoup& soup_ = chunk_.soup;
     std::unordered_map<std::string, std::uint32_t> numbers_;  ///< of materials, by name
-    std::uint32_t material_ = none;                           ///< of the faces that follow
-    std::string colorless_;  ///< the warning for the first vertex without a colour
 };
 
 }  // namespace
 
-PolygonSoup read_obj(std::string_view bytes, const std::string& name) {
-    return ObjReader(bytes, name).read();
+ObjChunk read_obj_chunk(std::string_view bytes, const std::string& name, const ObjCounts& before,
+                        const ObjCounts& within) {
+    return ObjReader(bytes, name, before, within).read();
 }
 
 }  // namespace lancer::io
