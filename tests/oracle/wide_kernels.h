@@ -75,6 +75,7 @@ struct WideKernels {
                  double (*bent)[3], WideAnswer* out);
     void (*power)(const double* x, const double* y, double* out);
     void (*arc_cosine)(const double* x, double* out);
+    void (*exponential)(const double* x, double* out);
 };
 
 extern const WideKernels wide_kernels_avx2;

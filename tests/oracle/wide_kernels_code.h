@@ -305,6 +305,9 @@ inline void power_kernel(const double* x, const double* y, double* out) {
 inline void arc_cosine_kernel(const double* x, double* out) {
     store(out, arc_cosine(load(x)));
 }
+inline void exponential_kernel(const double* x, double* out) {
+    store(out, exponential(load(x)));
+}
 
 inline constexpr oracle::WideKernels kernels{
     ball_kernel,         from_ball_kernel,    box_kernel,          frustum_kernel,
@@ -312,6 +315,6 @@ inline constexpr oracle::WideKernels kernels{
     triangle_kernel,     ball_shadow_kernel,  box_shadow_kernel,   frustum_shadow_kernel,
     torus_shadow_kernel, patch_shadow_kernel, plane_shadow_kernel, slabs_kernel,
     local_kernel,        alone_kernel,        lone_mesh_kernel,    surfaces_kernel,
-    bend_kernel,         power_kernel,        arc_cosine_kernel};
+    bend_kernel,         power_kernel,        arc_cosine_kernel,   exponential_kernel};
 
 }  // namespace lancer::wide::LANCER_LEVEL

@@ -368,6 +368,22 @@ TEST(OracleWide, Power) {
     });
 }
 
+TEST(OracleWide, Exponential) {
+    on_each_level([](const WideKernels& kernels) {
+        Tally("exp, side by side").run([&](Draw& draw) {
+            double x[lanes], out[lanes];
+            for (double& each : x)
+                each = draw.number() % 2 == 0 ? -draw.decade(-300, 308) : -20 * draw.unit();
+            if (draw.number() % 16 == 0) x[draw.number() % lanes] = 0;
+            kernels.exponential(x, out);
+            for (int i = 0; i < lanes; ++i)
+                EXPECT_EQ(std::bit_cast<std::uint64_t>(out[i]),
+                          std::bit_cast<std::uint64_t>(elementary::exp(x[i])))
+                    << x[i];
+        });
+    });
+}
+
 TEST(OracleWide, ArcCosine) {
     on_each_level([](const WideKernels& kernels) {
         Tally("acos, side by side").run([&](Draw& draw) {

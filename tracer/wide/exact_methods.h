@@ -25,7 +25,8 @@ struct LaneStart {
     std::uint32_t item, face;
     bool entering;
     std::uint32_t left;
-    std::uint32_t bodies[most_bodies];  ///< in the order entered; unused places hold `nothing`
+    std::uint32_t bodies[most_bodies];   ///< in the order entered; unused places hold `nothing`
+    std::uint32_t optical[most_bodies];  ///< Media::optical, like `bodies`
 };
 
 struct LaneHit {

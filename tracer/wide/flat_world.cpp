@@ -43,14 +43,15 @@ Frame frame_of(const lancer::Frame<double>& frame) {
     return f;
 }
 
-/// Whether wide code can shade a glassy item. With smooth meshes another list of bodies decides
-/// refraction, which wide code does not have.
+/// Whether wide code can shade a glassy item. Planes and composites are of the other kinds. Where
+/// scalar code computes the shape, rays go on in scalar code as well, which is faster.
 bool is_clear(const Item& item, const Primitive<double>& primitive, const World<double>& world) {
-    if (!primitive.transmissive || !primitive.medium || world.has_smooth_media) return false;
-    if (item.kind != Kind::ball && item.kind != Kind::box) return false;
+    if (!primitive.medium || !world.has_media) return false;
+    if (item.kind != Kind::ball && item.kind != Kind::box && item.kind != Kind::frustum &&
+        item.kind != Kind::mesh)
+        return false;
     const lancer::Finish<double>& finish = world.finishes[primitive.material];
-    return finish.texture == none && !finish.absorbs && !finish.lit_from_behind &&
-           primitive.casts_shadow;
+    return finish.texture == none && !finish.lit_from_behind;
 }
 
 /// Whether the texture's colour depends only on the point, so that wide code can compute it.
@@ -81,6 +82,7 @@ FlatWorld::FlatWorld(const World<double>& world) {
     for (const lancer::Finish<double>& f : world.finishes) add(f, world);
     finishes_.emplace_back();  // finish_of_composites_: not plain
     for (const LightSource<double>& light : world.lights) add(light, world);
+    scene_.has_smooth_media = world.has_smooth_media;
     scene_.has_glassy = world.has_media || world.has_transmission;
     scene_.tree = tree_of(world.bvh);
     scene_.items = items_.data();
@@ -293,6 +295,8 @@ void FlatWorld::add(const lancer::Finish<double>& finish, const World<double>& w
     put(finish.filter * finish.color + Vec3d(finish.transmission), f.transmittance);
     f.ior = finish.ior;
     f.fresnel = finish.fresnel ? 1 : 0;
+    put(finish.absorption, f.absorption);
+    f.absorbs = finish.absorbs;
     f.plain = !finish.lit_from_behind;
     f.textured = finish.texture != none;
 }

@@ -1,5 +1,5 @@
 // The crossings of eight rays with one cylinder or cone in world space: all_crossings() of
-// shapes/frustum.h for lanes. For rays that do not start on it and are not known to be inside.
+// shapes/frustum.h for lanes.
 #pragma once
 
 namespace lancer::wide::LANCER_LEVEL {
@@ -8,6 +8,20 @@ namespace lancer::wide::LANCER_LEVEL {
 inline constexpr std::uint32_t frustum_side = 0;
 inline constexpr std::uint32_t small_cap = 1;
 inline constexpr std::uint32_t large_cap = 2;
+
+/// What is known of the starts of rays: IntersectionHints. Nothing, unless the frustum is a medium.
+struct FrustumStart {
+    Mask inside = 0;                               ///< rays that are in the frustum
+    Mask on_side = 0, on_small = 0, on_large = 0;  ///< of these, rays that start on a face of it
+
+    FrustumStart() = default;
+    LANCER_INLINE FrustumStart(const Starts& starts, std::uint32_t item, Mask rays) : inside(rays) {
+        const Mask own = rays & equal(starts.item, item);
+        on_side = own & equal(starts.face, frustum_side);
+        on_small = own & equal(starts.face, small_cap);
+        on_large = own & equal(starts.face, large_cap);
+    }
+};
 
 /// The parts of lines inside a frustum; for a frustum without caps, where they cross its side.
 class FrustumCrossings {
@@ -18,15 +32,34 @@ class FrustumCrossings {
     Mask leaves = 0;  ///< lines that cross at `out`
     Mask unsure = 0;  ///< lines that the exact method must compute
 
-    /// \param last  crossings beyond this parameter may be missing
-    FrustumCrossings(const Frustum& f, const Rays& r, Mask active, const Numbers& last)
-        : frustum_(f), rays_(r) {
+    /// \param last   crossings beyond this parameter may be missing
+    /// \param start  rays that start on the frustum must be inside of it
+    LANCER_INLINE FrustumCrossings(const Frustum& f, const Rays& r, Mask active,
+                                   const Numbers& last, const FrustumStart& start = {})
+        : frustum_(f), rays_(r), from_(start) {
+        cut(active, last);
+        // Rounding hides the way out.
+        unsure |= active & from_.inside & ~met_;
+    }
+
+    /// Bounds on the errors of `in`.
+    Numbers in_error() const { return bound_of(in, side_enters_, forward_, enters); }
+    /// Bounds on the errors of `out`.
+    Numbers out_error() const { return bound_of(out, side_leaves_, ~forward_, leaves); }
+
+    std::uint32_t in_face(int i) const { return face(side_enters_, forward_, i); }
+    std::uint32_t out_face(int i) const { return face(side_leaves_, ~forward_, i); }
+
+  private:
+    /// Sets the public members.
+    LANCER_INLINE void cut(Mask active, const Numbers& last) {
+        const Frustum& f = frustum_;
         const Vectors axis = all(f.axis);
-        start_ = start_from(r, all(f.small_end));
+        start_ = start_from(rays_, all(f.small_end));
         start_axial_ = dot(axis, start_);
         start_perp_ = start_ - start_axial_ * axis;
-        dir_axial_ = dot(axis, r.dir);
-        dir_perp_ = r.dir - dir_axial_ * axis;
+        dir_axial_ = dot(axis, rays_.dir);
+        dir_perp_ = rays_.dir - dir_axial_ * axis;
         active &= cut_by_caps(active);
         active &= ~less(last, in);
         if (active == 0) return;
@@ -38,7 +71,7 @@ class FrustumCrossings {
             side_leaves_ = ~less(out, side_out);
             in = select(side_enters_, side_in, in);
             out = select(side_leaves_, side_out, out);
-            enters = leaves = active & ~less(out, in);
+            enters = leaves = met_ = active & ~less(out, in);
         } else {
             const auto is_between = [&](const Numbers& t) {
                 return at_most(in, t) & at_most(t, out);
@@ -53,15 +86,6 @@ class FrustumCrossings {
         leaves &= less(absolute(out), all(infinity)) & ~less(last, out);
     }
 
-    /// Bounds on the errors of `in`.
-    Numbers in_error() const { return bound_of(in, side_enters_, forward_, enters); }
-    /// Bounds on the errors of `out`.
-    Numbers out_error() const { return bound_of(out, side_leaves_, ~forward_, leaves); }
-
-    std::uint32_t in_face(int i) const { return face(side_enters_, forward_, i); }
-    std::uint32_t out_face(int i) const { return face(side_leaves_, ~forward_, i); }
-
-  private:
     /// Sets `in` and `out` to the parts of the lines between the planes of the caps.
     ///
     /// \return lines with such a part
@@ -72,8 +96,8 @@ class FrustumCrossings {
         const Numbers to_large = -dot(all(frustum_.axis), from_large_);
         const Mask still = equal(dir_axial_, zero);
         forward_ = less(zero, dir_axial_);
-        const Numbers small = to_small / dir_axial_;
-        const Numbers large = to_large / dir_axial_;
+        const Numbers small = select(from_.on_small, zero, to_small / dir_axial_);
+        const Numbers large = select(from_.on_large, zero, to_large / dir_axial_);
         in = select(still, in, select(forward_, small, large));
         out = select(still, out, select(forward_, large, small));
         return active & ~(still & (less(zero, to_small) | less(to_large, zero)));
@@ -91,7 +115,7 @@ class FrustumCrossings {
         slide_ = select(less(zero, dd), -dot(start_perp_, dir_perp_) / dd, zero);
         slide_ = select(less(in, slide_), slide_, in);
         slide_ = select(less(slide_, out), slide_, out);
-        slide_ = select(less(absolute(slide_), all(infinity)), slide_, zero);
+        slide_ = select(less(absolute(slide_), all(infinity)) & ~from_.on_side, slide_, zero);
         const Vectors o = start_perp_ + slide_ * dir_perp_;
         const Numbers radius = all(frustum_.radius) + slope * (start_axial_ + slide_ * dir_axial_);
         const Numbers qb = dot(o, dir_perp_) - radius * rate_;
@@ -100,17 +124,20 @@ class FrustumCrossings {
         const Numbers moment = dot(all(frustum_.axis), cross(o, dir_perp_));
         discriminant_ = dot(v, v) - moment * moment;
         const Mask grows = less(zero, qa_);  // the line is outside beyond the roots
-        const Mask outside = less(discriminant_, zero);
+        const Mask outside = less(discriminant_, zero) & ~from_.on_side;
         active &= ~(outside & grows);
         discriminant_ = select(outside, zero, discriminant_);
         root_ = root(discriminant_);
         const Numbers q = -(qb + with_sign(root_, qb));
-        unsure = active &
-                 ~(less(absolute(q), all(infinity)) & ~equal(q, zero) & (grows | less(qa_, zero)));
+        // From a start on the side: how far the other crossing is.
+        const Numbers other = from_.on_side == 0 ? zero : all(-2.0) * qb / qa_;
+        const Numbers most = select(from_.on_side, other, q);
+        unsure = active & ~(less(absolute(most), all(infinity)) &
+                            (from_.on_side | ~equal(q, zero)) & (grows | less(qa_, zero)));
         active &= ~unsure;
         if (active == 0) return 0;
-        const Numbers r0 = q / qa_;
-        const Numbers r1 = qc / q;
+        const Numbers r0 = select(from_.on_side, other, q / qa_);
+        const Numbers r1 = select(from_.on_side, zero, qc / q);
         const Mask first = less(r0, r1);
         divided_ = r0 + slide_;
         const Numbers low = select(first, r0, r1) + slide_;
@@ -149,6 +176,12 @@ class FrustumCrossings {
         const Numbers terms = length(dir_perp_) + absolute(rate_);
         Numbers along = select(less(all(4.0) * steep * w, discriminant_), all(0.54) * w / root_,
                                root(w / steep));
+        if (from_.on_side != 0) {
+            const Numbers left_of_dir = f.tilted ? bound<8>() * root(rays_.dir_squared) : all(0.0);
+            const Numbers turned = left_of_dir * (size + terms * far);
+            const Numbers from_side = all(2.0) * (place * terms + turned) / steep;
+            along = select(from_.on_side, from_side, along);
+        }
         const Numbers by_quotient = bound<4>() * (terms * terms / steep) * absolute(t - slide_);
         along = select(equal(t, divided_), along + by_quotient, along);
         return along + bound<6>() * (far + absolute(slide_));
@@ -171,6 +204,8 @@ class FrustumCrossings {
 
     const Frustum& frustum_;
     const Rays& rays_;
+    const FrustumStart from_;
+    Mask met_ = 0;                ///< lines that meet a frustum with caps
     Vectors start_, from_large_;  ///< the rays' starts, relative to the small and the large end
     Vectors start_perp_, dir_perp_;
     Numbers start_axial_, dir_axial_;
@@ -194,6 +229,28 @@ class FrustumCrossings {
     }
     const Mask leaves = c.leaves & ~less(hits.limit, c.out);
     if (leaves != 0) {
+        for_each_lane(hits.add_ahead(leaves, c.out, c.out_error(), item, 0),
+                      [&](int i) { hits.face[i] = c.out_face(i); });
+    }
+    return c.unsure;
+}
+
+/// The same for a frustum that is a medium, and rays that may start on it: those outside can only
+/// enter, those inside only leave. A ray that has left does not enter again: frustums are convex.
+[[gnu::noinline]] inline Mask crossings_of_clear(const Frustum& f, std::uint32_t item,
+                                                 const Rays& r, const Starts& starts, Mask active,
+                                                 const Ways& ways, NearestHits& hits) {
+    const Mask inside = active & ways.inside;
+    Mask asked = active & ~inside & ~equal(starts.item, item);
+    if (asked != 0) asked = FrustumGuess(f, r, asked, hits.limit).unsettled;
+    asked |= inside;
+    if (asked == 0) return 0;
+    const FrustumCrossings c(f, r, asked, hits.limit, FrustumStart(starts, item, inside));
+    if (const Mask enters = c.enters & ~inside; enters != 0) {
+        for_each_lane(hits.add_ahead(enters, c.in, c.in_error(), item, 255),
+                      [&](int i) { hits.face[i] = c.in_face(i); });
+    }
+    if (const Mask leaves = c.leaves & inside; leaves != 0) {
         for_each_lane(hits.add_ahead(leaves, c.out, c.out_error(), item, 0),
                       [&](int i) { hits.face[i] = c.out_face(i); });
     }

@@ -29,18 +29,16 @@ class GlassPacket {
             starts_.face[i] = wave_.face[at_ + i];
             starts_.entering |= (wave_.entering[at_ + i] ? 1U : 0U) << i;
         }
-        starts_.bodies.depth = wave_.deepest;
-        for (int k = 0; k < wave_.deepest; ++k)
-            for (int i = 0; i < lanes; ++i)
-                starts_.bodies.item[k][i] =
-                    i < rest ? wave_.bodies[k][at_ + i] : std::uint32_t(nothing);
+        take(wave_.bodies, rest, starts_.bodies);
+        if (scene_.has_smooth_media) take(wave_.optical, rest, starts_.optical);
     }
 
     [[gnu::noinline]] void trace() {
         // Each ray begins at most one chain.
         if (ledger_.chain_count + lanes > ledger_.chain_room) return follow_exactly(active_);
-        find_nearest(job_, rays_, starts_, active_, hits_);
-        Mask exact = hits_.unsure;
+        Mask exact = near_edges(scene_, rays_, starts_, active_);
+        find_nearest(job_, rays_, starts_, active_ & ~exact, hits_);
+        exact |= hits_.unsure;
         const Mask some_bodies = starts_.bodies.some();
         // A ray inside a body that hits nothing lost the exit.
         const Mask missed = active_ & ~hits_.some & ~exact;
@@ -53,15 +51,25 @@ class GlassPacket {
             if (item.glassy ? !item.clear : !scene_.finishes[item.material].plain)
                 exact |= Mask(1) << i;
         });
-        exact |= met & some_bodies & lost();
+        exact |= met & some_bodies & lost_bodies(scene_, rays_, starts_, hits_, active_);
         met &= ~exact;
-        if (met != 0) exact |= cross(met);
+        if (met != 0) exact |= media_.cross(scene_, starts_, hits_, met);
         met &= ~exact;
         if (exact != 0) follow_exactly(exact);
-        if (met != 0) shade(met);
+        if (met == 0) return;
+        if ((met & some_bodies) != 0)
+            through_ = dimmed(scene_, starts_, hits_.t, met & some_bodies, through_);
+        shade(met);
     }
 
   private:
+    void take(const std::uint32_t (&from)[most_bodies][Wave::room], int rest, Bodies& to) const {
+        to.depth = wave_.deepest;
+        for (int k = 0; k < wave_.deepest; ++k)
+            for (int i = 0; i < lanes; ++i)
+                to.item[k][i] = i < rest ? from[k][at_ + i] : std::uint32_t(nothing);
+    }
+
     /// The colours of rays that hit nothing.
     Vectors behind(Mask mask) const {
         Vectors colors = all(scene_.background);
@@ -72,34 +80,6 @@ class GlassPacket {
             set_lane(colors, i, color);
         });
         return colors;
-    }
-
-    /// Rays whose hit lies outside the bounds of a body in their list: drop_lost().
-    Mask lost() const {
-        const Vectors way = hits_.t * rays_.dir;
-        const Vectors point = (rays_.origin + way) + rays_.origin_lo;
-        const Numbers far = absolute(hits_.t);
-        const Numbers error = rays_.origin_error;
-        const Vectors slack = bound<16>() * (absolute(rays_.origin) + Vectors{far, far, far}) +
-                              Vectors{error, error, error};
-        Vectors min = point;
-        Vectors max = point;
-        Mask outside = 0;
-        for (int k = 0; k < starts_.bodies.depth; ++k) {
-            const std::uint32_t* body = starts_.bodies.item[k];
-            Mask mask = active_ & ~equal(body, nothing);
-            for_each_lane(mask, [&](int i) {
-                const double* bounds = scene_.medium_bounds[scene_.medium_slots[body[i]]];
-                set_lane(min, i, bounds);
-                set_lane(max, i, bounds + 3);
-            });
-            const Vectors low = min - slack;
-            const Vectors high = max + slack;
-            mask &= at_most(low.x, point.x) & at_most(low.y, point.y) & at_most(low.z, point.z) &
-                    at_most(point.x, high.x) & at_most(point.y, high.y) & at_most(point.z, high.z);
-            outside |= active_ & ~equal(body, nothing) & ~mask;
-        }
-        return outside;
     }
 
     void follow_exactly(Mask mask) {
@@ -127,49 +107,13 @@ class GlassPacket {
         });
     }
 
-    double index_around(const Bodies& bodies, int i) const {
-        const std::uint32_t body = bodies.last(i);
-        return body == nothing ? 1 : scene_.finishes[scene_.items[body].material].ior;
-    }
-
-    /// Sets the bodies behind the hits: crossed().
-    ///
-    /// \return hits that are left to scalar code: those with more bodies than there is room for,
-    ///         and those where light goes straight on
-    Mask cross(Mask met) {
-        around_.before = starts_.bodies;
-        around_.after = starts_.bodies;
-        ratio_ = index_before_ = all(1.0);
-        glass_ = 0;
-        Mask exact = 0;
-        const bool some_bodies = starts_.bodies.depth != 0;
-        for_each_lane(met, [&](int i) {
-            const double before = some_bodies ? index_around(around_.before, i) : 1;
-            set_lane(index_before_, i, before);
-            const std::uint32_t item = hits_.item[i];
-            if (!scene_.items[item].clear) return;
-            const Mask bit = Mask(1) << i;
-            glass_ |= bit;
-            if ((hits_.entering & bit) == 0) {
-                around_.after.remove(i, item);
-            } else if (!around_.after.add(i, item)) {
-                exact |= bit;
-                return;
-            }
-            const double ratio = before / index_around(around_.after, i);
-            if (ratio == 1) exact |= bit;
-            set_lane(ratio_, i, ratio);
-        });
-        return exact;
-    }
-
     /// Whitted::shade() and Whitted::bend(), for the hits of the mask.
     void shade(Mask met) {
         make_surfaces(job_, rays_, hits_, met, surfaces_);
         const Surfaces& s = surfaces_;
-        const Mask glass = glass_ & met;
+        const Mask glass = media_.glass & met;
         const Vectors mirror = mirrored(rays_.dir, s.normal);
-        const Around* around = starts_.bodies.depth != 0 || glass != 0 ? &around_ : nullptr;
+        const Around* around = starts_.bodies.depth != 0 || glass != 0 ? &media_.bodies : nullptr;
         add_terms(met, through_ * local_color(job_, rays_, hits_, s, mirror, met, around));
 
         const Numbers zero = all(0.0);
@@ -178,7 +122,7 @@ class GlassPacket {
         Vectors passes{zero, zero, zero};
         Mask total = 0;
         if (glass != 0) {
-            const Refracted refracted(rays_.dir, s.normal, ratio_);
+            const Refracted refracted(rays_.dir, s.normal, media_.ratio);
             total = refracted.total & glass;
             bent = select(total, mirror, refracted.bent);
             for_each_lane(glass, [&](int i) {
@@ -193,7 +137,8 @@ class GlassPacket {
         const Mask fresnel = met & less(zero, s.fresnel);
         if (fresnel != 0) {
             const Numbers index =
-                select(glass, one / ratio_, opaque_index(scene_, hits_, s, index_before_, fresnel));
+                select(glass, one / media_.ratio,
+                       opaque_index(scene_, hits_, s, media_.index_before, fresnel));
             share = mirror_of(s, rays_.dir, index, fresnel);
         }
         mirror_on(share, mirror, met & ~total);
@@ -243,7 +188,8 @@ class GlassPacket {
         const Surfaces& s = surfaces_;
         Starts starts;
         set_left(s, direction, starts);
-        around_.put_towards(Around::back(s, rays_, direction), starts.bodies);
+        media_.bodies.put_towards(Around::back(s, rays_, direction), starts.bodies);
+        if (scene_.has_smooth_media) media_.optical.put_towards(reflected, starts.optical);
         const int first = next.count;
         store_packed(next.origin, first, sent, s.position);
         store_packed(next.origin_lo, first, sent, s.position_lo);
@@ -251,9 +197,11 @@ class GlassPacket {
         store_packed(next.through, first, sent, through);
         store_packed(next.error + first, sent, s.error);
         store_packed(next.weight + first, sent, weight);
-        const int rows = starts.bodies.depth > next.deepest ? starts.bodies.depth : next.deepest;
+        int rows = next.deepest;
+        if (starts.bodies.depth > rows) rows = starts.bodies.depth;
+        if (starts.optical.depth > rows) rows = starts.optical.depth;
         for (int k = next.deepest; k < rows; ++k)
-            for (int to = 0; to < first; ++to) next.bodies[k][to] = nothing;
+            for (int to = 0; to < first; ++to) next.bodies[k][to] = next.optical[k][to] = nothing;
         next.deepest = rows;
         int to = first;
         for_each_lane(sent, [&](int i) {
@@ -262,8 +210,11 @@ class GlassPacket {
             next.entering[to] = (hits_.entering >> i & 1) != 0;
             next.left[to] = starts.left[i];
             next.chain[to] = chains == nullptr ? wave_.chain[at_ + i] : chains[i];
-            for (int k = 0; k < rows; ++k)
+            for (int k = 0; k < rows; ++k) {
                 next.bodies[k][to] = k < starts.bodies.depth ? starts.bodies.item[k][i] : nothing;
+                next.optical[k][to] =
+                    k < starts.optical.depth ? starts.optical.item[k][i] : nothing;
+            }
             ++to;
         });
         next.count = to;
@@ -281,9 +232,7 @@ class GlassPacket {
     Starts starts_;
     NearestHits hits_;
     Surfaces surfaces_;
-    Around around_;
-    Numbers ratio_, index_before_;  ///< ratio_: index before over index after
-    Mask glass_ = 0;
+    GlassMedia media_;
 };
 
 }  // namespace lancer::wide::LANCER_LEVEL

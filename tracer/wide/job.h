@@ -24,7 +24,8 @@ struct Wave {
     double through[3][room];    ///< product of the transmittances before the ray's start
     std::uint32_t chain[room];  ///< the chain of the ray's light
     std::uint32_t bodies[most_bodies][room];
-    int deepest;  ///< the largest number of bodies that contain a ray
+    std::uint32_t optical[most_bodies][room];  ///< in worlds with smooth media: Media::optical
+    int deepest;                               ///< the largest number of bodies in a list
     int count;
 };
 

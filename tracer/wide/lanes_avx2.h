@@ -172,6 +172,10 @@ LANCER_INLINE Mask at_most(const FloatPairs& a, const FloatPairs& b) {
 LANCER_INLINE Numbers power(const Numbers& x, const Numbers& y) {
     return {Sleef_cinz_powd4_u10avx(x.low, y.low), Sleef_cinz_powd4_u10avx(x.high, y.high)};
 }
+/// elementary::exp
+LANCER_INLINE Numbers exponential(const Numbers& x) {
+    return {Sleef_cinz_expd4_u10avx(x.low), Sleef_cinz_expd4_u10avx(x.high)};
+}
 /// elementary::acos
 LANCER_INLINE Numbers arc_cosine(const Numbers& x) {
     return {Sleef_cinz_acosd4_u10avx(x.low), Sleef_cinz_acosd4_u10avx(x.high)};

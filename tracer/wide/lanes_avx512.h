@@ -154,6 +154,10 @@ LANCER_INLINE Mask at_most(const FloatPairs& a, const FloatPairs& b) {
 LANCER_INLINE Numbers power(const Numbers& x, const Numbers& y) {
     return {Sleef_cinz_powd8_u10avx512fnofma(x.v, y.v)};
 }
+/// elementary::exp
+LANCER_INLINE Numbers exponential(const Numbers& x) {
+    return {Sleef_cinz_expd8_u10avx512fnofma(x.v)};
+}
 /// elementary::acos
 LANCER_INLINE Numbers arc_cosine(const Numbers& x) {
     return {Sleef_cinz_acosd8_u10avx512fnofma(x.v)};

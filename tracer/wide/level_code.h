@@ -8,6 +8,7 @@
 //
 #include "tracer/wide/vectors.h"
 //
+#include "tracer/wide/absorption.h"
 #include "tracer/wide/rays.h"
 //
 #include "tracer/wide/frames.h"
@@ -44,9 +45,12 @@
 #include "tracer/wide/meshes.h"
 //
 #include "tracer/wide/lone_meshes.h"
+#include "tracer/wide/mesh_edges.h"
 //
 #include "tracer/wide/nearest.h"
 #include "tracer/wide/see_throughs.h"
+//
+#include "tracer/wide/see_through_shapes.h"
 //
 #include "tracer/wide/shadows.h"
 //
@@ -67,6 +71,8 @@
 //
 #include "tracer/wide/chains.h"
 #include "tracer/wide/wave.h"
+//
+#include "tracer/wide/glass_media.h"
 //
 #include "tracer/wide/glass.h"
 //

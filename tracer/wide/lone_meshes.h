@@ -118,17 +118,19 @@ class LoneMeshQuery {
 /// mesh_crossings() for one ray
 [[gnu::noinline]] inline void lone_mesh_crossings(const Mesh& mesh, std::uint32_t item,
                                                   const Rays& r, const Starts& starts, int i,
-                                                  NearestHits& hits) {
+                                                  NearestHits& hits, const Ways& ways = {}) {
     LoneMeshQuery query(mesh, r, i);
     const bool own = starts.item[i] == item;
+    const bool inside = (ways.inside >> i & 1) != 0;
     query.crossings<Order::nearest_first>(
         own ? starts.face[i] : nothing, [&] { return lane(hits.limit, i); },
         [&](LaneHit hit) {
-            if (hit.t < -hit.error) return false;
+            const Mask way = hit.entering ? ways.in : ways.out;
+            if (hit.t < -hit.error || (way >> i & 1) == 0) return false;
             hit.item = item;
             if (hit.error < hit.t)
                 hits.add(i, hit);
-            else if (!own)
+            else if (!own || inside)
                 hits.unsure |= Mask(1) << i;
             return false;
         });

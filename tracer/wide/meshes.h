@@ -14,6 +14,9 @@ class MeshQuery {
     /// The rays that start on the mesh.
     Mask own() const { return own_; }
 
+    /// Starting faces are not left out.
+    void keep_start_faces() { keeps_start_faces_ = true; }
+
     /// Calls met(hits, face) for every face that rays of the mask cross between 0 and `last`, with
     /// the rays that cross it. A ray's own start face is left out. Crossings behind the start may
     /// be among them. `met` returns the rays that need no further crossings.
@@ -68,7 +71,7 @@ class MeshQuery {
                             const TriangleBlock& block, int c, const TriangleCorners& triangle,
                             Mask mask, const Numbers& last, Met&& met) {
         const std::uint32_t face = block.face[c];
-        mask &= ~(own_ & equal(starts_.face, face));
+        if (!keeps_start_faces_) mask &= ~(own_ & equal(starts_.face, face));
         if (mask == 0) return 0;
         TriangleHits hits = intersect_exactly(triangle, rays_, shears, g, mask, last);
         if (hits.mask == 0) return 0;
@@ -79,20 +82,25 @@ class MeshQuery {
     const MeshShape& mesh_;
     const Starts& starts_;
     const Mask own_;
+    bool keeps_start_faces_ = false;
     Rays rays_;
 };
 
 [[gnu::noinline]] inline void mesh_crossings(const Scene& scene, const Mesh& mesh,
                                              std::uint32_t item, const Rays& r,
-                                             const Starts& starts, Mask active, NearestHits& hits) {
+                                             const Starts& starts, Mask active, NearestHits& hits,
+                                             const Ways& ways = {}) {
     MeshQuery query(scene, mesh, item, r, starts);
     query.crossings<Order::nearest_first>(
         active, hits.limit, [&](const TriangleHits& h, std::uint32_t face) {
-            // At its start, a ray meets no other face of the mesh that it starts on
-            // (IntersectionFilter).
-            const Mask own = h.mask & query.own();
-            const Mask taken = hits.add(own & less(h.error, h.t), h.t, h.error, item, h.entering) |
-                               hits.add_ahead(h.mask & ~own, h.t, h.error, item, h.entering);
+            // At its start, a ray meets no other face of the mesh that it starts on, except where
+            // it leaves a body that it is in (IntersectionFilter).
+            const Mask counts = h.mask & ((h.entering & ways.in) | (~h.entering & ways.out));
+            const Mask own = counts & query.own();
+            const Mask ahead = less(h.error, h.t);
+            hits.unsure |= own & ways.inside & ~ahead & ~less(h.t, -h.error);
+            const Mask taken = hits.add(own & ahead, h.t, h.error, item, h.entering) |
+                               hits.add_ahead(counts & ~own, h.t, h.error, item, h.entering);
             hits.set_triangle(taken, face, h.u, h.v);
             return Mask(0);
         });

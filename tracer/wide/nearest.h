@@ -34,11 +34,12 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     const Item& item = scene.items[index];
     if (item.kind == Kind::mesh) {
         const Mesh& mesh = scene.meshes[item.shape];
+        const Ways ways(item, index, starts.bodies);
         if (is_better_alone(scene, mesh, mask))
-            for_each_lane(mask,
-                          [&](int i) { lone_mesh_crossings(mesh, index, r, starts, i, hits); });
+            for_each_lane(
+                mask, [&](int i) { lone_mesh_crossings(mesh, index, r, starts, i, hits, ways); });
         else
-            mesh_crossings(scene, mesh, index, r, starts, mask, hits);
+            mesh_crossings(scene, mesh, index, r, starts, mask, hits, ways);
         return;
     }
     if (item.kind == Kind::patch && !item.glassy) {
@@ -55,11 +56,18 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
         asked = ball_crossings(ball, index, r, others, ways, hits);
         if (own != 0) crossings_from_ball(ball, index, r, own, ways, hits);
     } else if (item.kind == Kind::box) {
-        asked = own | box_crossings(scene.boxes[item.shape], index, r, others, ways, hits);
+        // A box of glass is crossed by the same formula from its own surface. A ray that has left
+        // it does not enter it again.
+        const Mask left = item.clear ? others | (own & ways.inside) : others;
+        asked = box_crossings(scene.boxes[item.shape], index, r, left, ways, hits);
+        if (!item.clear) asked |= own;
     } else if (item.kind == Kind::frustum) {
         const Frustum& frustum = scene.frustums[item.shape];
-        asked = own | (item.glassy ? FrustumGuess(frustum, r, others, hits.limit).unsettled
-                                   : frustum_crossings(frustum, index, r, others, hits));
+        if (item.clear)
+            asked = crossings_of_clear(frustum, index, r, starts, mask, ways, hits);
+        else
+            asked = own | (item.glassy ? FrustumGuess(frustum, r, others, hits.limit).unsettled
+                                       : frustum_crossings(frustum, index, r, others, hits));
     } else if (item.kind == Kind::torus && !item.glassy) {
         asked = torus_crossings(scene, scene.tori[item.shape], index, r, mask, own, hits);
     }

@@ -86,6 +86,14 @@ struct Bodies {
         item[k][i] = of;
         return true;
     }
+    /// Removes a body from a lane, or adds it: toggle().
+    ///
+    /// \return whether there was room
+    bool toggle(int i, std::uint32_t of) {
+        if ((inside(of) >> i & 1) == 0) return add(i, of);
+        remove(i, of);
+        return true;
+    }
     /// Removes a body from a lane. The lane must be inside of it.
     void remove(int i, std::uint32_t of) {
         int k = 0;
@@ -105,11 +113,14 @@ struct Starts {
     Mask planes = 0;  ///< lanes in which `normal`, of what the ray starts on, is known
     Vectors normal;
     Bodies bodies;
+    Bodies optical;  ///< Media::optical
 
     LaneStart lane(int i) const {
-        LaneStart start{item[i], face[i], (entering >> i & 1) != 0, left[i], {}};
-        for (int k = 0; k < most_bodies; ++k)
+        LaneStart start{item[i], face[i], (entering >> i & 1) != 0, left[i], {}, {}};
+        for (int k = 0; k < most_bodies; ++k) {
             start.bodies[k] = k < bodies.depth ? bodies.item[k][i] : nothing;
+            start.optical[k] = k < optical.depth ? optical.item[k][i] : nothing;
+        }
         return start;
     }
 };

@@ -29,9 +29,9 @@ inline lancer::Start<double> start_of(const LaneStart& from) {
     start.left = from.left;
     return start;
 }
-inline MediaList bodies_of(const LaneStart& from) {
+inline MediaList list_of(const std::uint32_t (&from)[most_bodies]) {
     MediaList bodies;
-    for (const std::uint32_t body : from.bodies)
+    for (const std::uint32_t body : from)
         if (body != none) bodies.push_back(body);
     return bodies;
 }
@@ -167,12 +167,10 @@ class ScalarMethods final : public ExactMethods {
         if constexpr (is_opaque<Tracer>)
             return {};
         else
-            return bodies_of(start);
+            return list_of(start.bodies);
     }
-    Media media_of(const LaneStart& start) const {
-        Media media{bodies_of(start), {}};
-        if (world_.has_smooth_media) media.optical = media.bodies;
-        return media;
+    static Media media_of(const LaneStart& start) {
+        return {list_of(start.bodies), list_of(start.optical)};
     }
 
     const World<double>& world_;

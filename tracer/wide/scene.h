@@ -180,8 +180,10 @@ struct Finish {
     double transmittance[3];  ///< the share of light that passes, if there is no texture
     double ior;
     double fresnel;  ///< 1: the reflectance follows Fresnel's equations; else 0
-    bool plain;      ///< wide code computes the local light
-    bool textured;   ///< the colour comes from a texture
+    double absorption[3];
+    bool absorbs;   ///< light fades inside of its bodies
+    bool plain;     ///< wide code computes the local light
+    bool textured;  ///< the colour comes from a texture
 };
 
 /// A stop of GradientPattern<double>
@@ -259,6 +261,7 @@ struct Scene {
     double background[3];
     bool has_sky;  ///< the background depends on the direction
     bool has_glassy;
+    bool has_smooth_media;
     int max_depth;
     double min_contribution;
 };

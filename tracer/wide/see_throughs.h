@@ -40,45 +40,97 @@ class SeeThroughs {
         });
     }
 
+    /// Announces the lanes in which note_start() is called for the face that the ray starts on, if
+    /// the line crosses it. light_by_contacts() computes all faces of a mesh alike, so these lanes
+    /// may cross the mesh many times.
+    void know_starts(Mask mask) { starts_known_ |= mask; }
+    void note_start(Mask mask, const Numbers& t, const Numbers& error) {
+        start_ends_ = select(mask, t + all(apart) * error, start_ends_);
+    }
+
+    /// The lanes that leave the body which they start on after they have passed another surface.
+    /// There light_by_contacts() uses another formula.
+    Mask leave_later(const std::uint32_t* start_items, Mask active) {
+        Mask mask = 0;
+        for_each_lane(active & ~unsure & ~starts_known_, [&](int i) {
+            sort(i);
+            if (own_later(i, start_items[i]) != 0) mask |= Mask(1) << i;
+        });
+        return mask;
+    }
+    /// For these lanes, the crossings with a convex body by that formula.
+    void put_again(Mask mask, const Numbers& in, const Numbers& in_error, const Numbers& out,
+                   const Numbers& out_error) {
+        starts_known_ |= mask;
+        again_known_ |= mask;
+        note_start(mask, in, in_error);
+        again_ = select(mask, out, again_);
+        again_error_ = select(mask, out_error, again_error_);
+    }
+
     /// The share of light that passes in lane `i`, which is not unsure: SeeThrough::tells_all() and
     /// SeeThrough::transmittance().
     ///
-    /// \param start  where the ray begins, and the bodies that contain its start
+    /// \param start     where the ray begins, and the bodies that contain its start
+    /// \param distance  to the light
     /// \return false if the crossings are not enough to decide
-    bool transmittance(const Scene& scene, int i, const LaneStart& start, double* light) {
+    bool transmittance(const Scene& scene, int i, const LaneStart& start, double distance,
+                       double* light) {
         sort(i);
-        const FilterCrossing* crossings = crossings_[i];
-        for (int k = 1; k < count_[i]; ++k) {
-            const FilterCrossing& before = crossings[k - 1];
-            if (crossings[k].item == start.item ||
-                !(crossings[k].t - before.t > apart * (before.error + crossings[k].error)))
+        FilterCrossing* crossings = crossings_[i];
+        if (!are_apart(i)) return false;
+        if (const int own = own_later(i, start.item); own != 0) {
+            if ((starts_known_ >> i & 1) == 0 ||
+                !(crossings[0].t - apart * crossings[0].error > lane(start_ends_, i)))
                 return false;
+            if ((again_known_ >> i & 1) != 0) {
+                crossings[own].t = lane(again_, i);
+                crossings[own].error = lane(again_error_, i);
+                if (!are_apart(i) || !(crossings[own].t < distance - apart * crossings[own].error))
+                    return false;
+            }
         }
         std::uint32_t bodies[most_bodies + most];
         int depth = 0;
-        while (depth < most_bodies && start.bodies[depth] != nothing) {
-            bodies[depth] = start.bodies[depth];
+        for (int k = 0; k < most_bodies && start.bodies[k] != nothing; ++k) {
+            // A body that casts no shadow does not absorb light either.
+            if (!scene.items[start.bodies[k]].casts_shadow) continue;
+            bodies[depth++] = start.bodies[k];
             // The light is inside, or rounding hides the way out.
-            if (bodies[depth] == start.item && (count_[i] == 0 || crossings[0].item != start.item))
+            if (start.bodies[k] == start.item &&
+                (count_[i] == 0 || crossings[0].item != start.item))
                 return false;
-            ++depth;
         }
         for (int c = 0; c < 3; ++c) light[c] = 1;
+        double from = 0;
+        const auto absorb_until = [&](double t) {
+            if (depth == 0) return;
+            const Finish& medium = scene.finishes[scene.items[bodies[depth - 1]].material];
+            if (!medium.absorbs) return;
+            double left[3];
+            beer_lambert_transmittance(medium.absorption, t - from, left);
+            for (int c = 0; c < 3; ++c) light[c] = light[c] * left[c];
+        };
         for (int k = 0; k < count_[i]; ++k) {
             const FilterCrossing& crossing = crossings[k];
             int at = 0;
             while (at < depth && bodies[at] != crossing.item) ++at;
             if ((at < depth) == crossing.entering) continue;
-            if (crossing.entering)
+            absorb_until(crossing.t);
+            from = crossing.t;
+            if (crossing.entering) {
                 bodies[depth++] = crossing.item;
-            else
-                bodies[at] = bodies[--depth];
+            } else {
+                --depth;
+                for (; at < depth; ++at) bodies[at] = bodies[at + 1];
+            }
             const Finish& finish = scene.finishes[scene.items[crossing.item].material];
             for (int c = 0; c < 3; ++c) light[c] = light[c] * finish.transmittance[c];
             if (light[0] > 0 || light[1] > 0 || light[2] > 0) continue;
             for (int c = 0; c < 3; ++c) light[c] = 0;
-            break;
+            return true;
         }
+        absorb_until(distance);
         return true;
     }
 
@@ -93,6 +145,23 @@ class SeeThroughs {
     static constexpr double apart = 8;
     static constexpr int most = 32;
 
+    bool are_apart(int i) const {
+        const FilterCrossing* crossings = crossings_[i];
+        for (int k = 1; k < count_[i]; ++k) {
+            const FilterCrossing& before = crossings[k - 1];
+            if (!(crossings[k].t - before.t > apart * (before.error + crossings[k].error)))
+                return false;
+        }
+        return true;
+    }
+
+    /// The place of a crossing with the item that is not the first crossing; 0: there is none.
+    int own_later(int i, std::uint32_t item) const {
+        int k = count_[i] - 1;
+        while (k > 0 && crossings_[i][k].item != item) --k;
+        return k > 0 ? k : 0;
+    }
+
     void sort(int i) {
         FilterCrossing* crossings = crossings_[i];
         for (int k = 1; k < count_[i]; ++k) {
@@ -104,47 +173,13 @@ class SeeThroughs {
         }
     }
 
+    Mask starts_known_ = 0;
+    Mask again_known_ = 0;
+    Numbers again_ = all(0.0);
+    Numbers again_error_ = all(0.0);
+    Numbers start_ends_ = all(-infinity);  ///< up to where the face at the start may be crossed
     FilterCrossing crossings_[lanes][most];
     int count_[lanes];
 };
-
-/// Adds the crossings with a transmissive ball.
-///
-/// \param own     of `active`, the rays that start on it
-/// \param inside  rays that start inside
-LANCER_INLINE void ball_see_throughs(const Ball& ball, std::uint32_t item, const Rays& r,
-                                     Mask active, Mask own, Mask inside, const Numbers& distance,
-                                     SeeThroughs& see) {
-    if ((active & own) != 0) {
-        const BallFromSurface other(ball, r);
-        see.add(active & own, other.t, other.error, distance, item, less(other.t, all(0.0)));
-    }
-    const Mask others = active & ~own;
-    BallGuess guess(ball, r, others);
-    // As far as SeeThrough::reach().
-    guess.cut(r, distance * all(1 + 0x1p-20));
-    const Mask asked = guess.may_meet | (others & inside);
-    if (asked == 0) return;
-    const BallRoots roots(ball, r, asked);
-    see.unsure |= others & inside & ~roots.met;
-    if (roots.met == 0) return;
-    Numbers in_error, out_error;
-    roots.bound_errors(ball, r, in_error, out_error);
-    see.add(roots.met, roots.in, in_error, distance, item, 255);
-    see.add(roots.met, roots.out, out_error, distance, item, 0);
-}
-
-/// The crossings with a box of glass of rays that do not start on it.
-LANCER_INLINE void box_see_throughs(const Box& box, std::uint32_t item, const Rays& r, Mask active,
-                                    Mask inside, const Numbers& distance, SeeThroughs& see) {
-    const BoxSpans span(box, r, active);
-    see.unsure |= active & inside & ~span.met;
-    if (span.met == 0) return;
-    const auto offer = [&](const Numbers& t, const Numbers& error, Mask entering) {
-        see.add(span.met & less(absolute(t), all(infinity)), t, error, distance, item, entering);
-    };
-    offer(span.in, span.in_error, 255);
-    offer(span.out, span.out_error, 0);
-}
 
 }  // namespace lancer::wide::LANCER_LEVEL

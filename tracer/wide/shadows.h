@@ -45,7 +45,9 @@ class ShadowQuery {
         }
         const Numbers one = all(1.0);
         share = {one, one, one};
-        for_each_lane(active & (unsure_ | see_throughs_.some()) & ~blocked_, [&](int i) {
+        look_again(active & ~blocked_ & ~unsure_);
+        const Mask dimmed = see_throughs_.some() | in_absorbing_bodies();
+        for_each_lane(active & (unsure_ | dimmed) & ~blocked_, [&](int i) {
             double of_lane[3];
             put_share(i, of_lane);
             set_lane(share, i, of_lane);
@@ -55,10 +57,38 @@ class ShadowQuery {
     }
 
   private:
+    void look_again(Mask active) {
+        if (see_throughs_.some() == 0) return;
+        Mask later = see_throughs_.leave_later(starts_.item, active);
+        while (later != 0) {
+            const std::uint32_t item = starts_.item[__builtin_ctz(later)];
+            const Mask same = later & equal(starts_.item, item);
+            const Mask inside = same & starts_.bodies.inside(item);
+            if (inside != 0) see_again(scene_, item, rays_, inside, distance_, see_throughs_);
+            later &= ~same;
+        }
+    }
+
     void put_share(int i, double* share) {
         const LaneStart start = starts_.lane(i);
-        if ((unsure_ >> i & 1) == 0 && see_throughs_.transmittance(scene_, i, start, share)) return;
-        job_.exact->light_share(lane_ray(rays_, i), start, lane(distance_, i), share);
+        const double distance = lane(distance_, i);
+        if ((unsure_ >> i & 1) == 0 &&
+            see_throughs_.transmittance(scene_, i, start, distance, share))
+            return;
+        job_.exact->light_share(lane_ray(rays_, i), start, distance, share);
+    }
+
+    /// The rays that start in a body which absorbs, or in another one inside of such a body.
+    Mask in_absorbing_bodies() const {
+        Mask mask = 0;
+        const Bodies& bodies = starts_.bodies;
+        for (int k = 0; k < bodies.depth; ++k) {
+            for_each_lane(255 & ~equal(bodies.item[k], nothing), [&](int i) {
+                const Item& body = scene_.items[bodies.item[k][i]];
+                if (scene_.finishes[body.material].absorbs) mask |= Mask(1) << i;
+            });
+        }
+        return mask;
     }
 
     /// Tests all planes. Unsure rays are tested as well, because another plane may block them.
@@ -79,6 +109,12 @@ class ShadowQuery {
         if (!item.casts_shadow || mask == 0) return;
         if (item.kind == Kind::mesh) {
             const Mesh& mesh = scene_.meshes[item.shape];
+            if (item.clear) {
+                mesh_see_throughs(scene_, mesh, index, rays_, starts_, mask, distance_,
+                                  see_throughs_);
+                unsure_ |= see_throughs_.unsure;
+                return;
+            }
             if (is_better_alone(scene_, mesh, mask)) {
                 for_each_lane(mask, [&](int i) {
                     note(lone_mesh_shadow(mesh, index, rays_, starts_, i, lane(distance_, i)),
@@ -98,9 +134,10 @@ class ShadowQuery {
         }
         const Mask others = mask & ~own;
         if (item.clear && item.kind == Kind::box) {
-            box_see_throughs(scene_.boxes[item.shape], index, rays_, others,
-                             starts_.bodies.inside(index), distance_, see_throughs_);
-            unsure_ |= own | see_throughs_.unsure;
+            const Mask inside = starts_.bodies.inside(index);
+            box_see_throughs(scene_.boxes[item.shape], index, rays_, others | (own & inside),
+                             inside, distance_, see_throughs_);
+            unsure_ |= (own & ~inside) | see_throughs_.unsure;
             return;
         }
         if (item.kind == Kind::ball) {
@@ -109,6 +146,12 @@ class ShadowQuery {
             note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::frustum) {
             const Frustum& frustum = scene_.frustums[item.shape];
+            if (item.clear) {
+                frustum_see_throughs(frustum, index, rays_, starts_, mask, distance_,
+                                     see_throughs_);
+                unsure_ |= see_throughs_.unsure;
+                return;
+            }
             if (item.glassy) {  // the exact methods compute rays that may meet it
                 unsure_ |= own | FrustumGuess(frustum, rays_, others, distance_).unsettled;
                 return;

@@ -96,6 +96,37 @@ def glass(folder):
     return stage
 
 
+def jars(folder):
+    """15 jars: a cylinder of glass round one of coloured water, with a straw and a cube of ice in it."""
+    stage = haines_stage(max_depth=10)
+    clear = "color [1, 1, 1] ambient 0 diffuse 0 transmission 1 reflection 1 fresnel true"
+    stage.lancer_alone(f"material glass {{ {clear} ior 1.5 phong 0.5 }}")
+    stage.lancer_alone(f"material water {{ {clear} ior 1.33 absorption [4, 1, 0.4] }}")
+    stage.lancer_alone(f"material ice {{ {clear} ior 1.31 }}")
+    stage.lancer_alone("material straw { color [0.9, 0.2, 0.1] ambient 0.1 diffuse 0.7 phong 0.3 }")
+    for i in range(15):
+        x, y = (i % 5 - 2) * 0.4, (i // 5 - 1) * 0.4
+
+        def cylinder(base, top, radius, material):
+            stage.lancer_alone(f"cylinder {{ base {triple(base)} top {triple(top)} radius {radius} material {material} }}")
+        cylinder([x, y, -0.49], [x, y, 0.15], 0.15, "glass")
+        cylinder([x, y, -0.44], [x, y, 0.12], 0.14, "water")
+        cylinder([x - 0.05, y, -0.4], [x + 0.05, y, 0.11], 0.012, "straw")
+        ice = [x - 0.03, y + 0.03, 0.03]
+        stage.lancer_alone(f"box {{ min {triple(ice)} max {triple([k + 0.07 for k in ice])} material ice }}")
+    return stage
+
+
+def glass_knot(folder):
+    """A smooth mesh of glass that absorbs."""
+    stage = haines_stage(max_depth=10)
+    stage.lancer_alone("material glass { color [1, 1, 1] ambient 0 diffuse 0 transmission 0.9 reflection 0.1 "
+                       "ior 1.5 phong 0.5 absorption [3, 0.5, 1] }")
+    torus_knot(150, 24).write_obj(folder / "knot.obj")
+    stage.lancer_alone('mesh { file "knot.obj" material glass }')
+    return stage
+
+
 def solid_text(draw, kind, size, material):
     place = [draw(-1, 1), draw(-1, 1), draw(-0.45, 0.8)]
     far = [p + size * draw(0.5, 1) for p in place]
@@ -172,6 +203,8 @@ ALL = [
     ("torus knot, 50,000 smooth triangles", knot(500, 50), 1024, 1),
     ("torus knot, 1,000,000 smooth triangles", knot(2500, 200), 1024, 1),
     ("75 balls of glass, depth 10", glass, 1024, 1),
+    ("15 jars of coloured water, depth 10", jars, 1024, 1),
+    ("torus knot of glass, 7,200 smooth triangles", glass_knot, 1024, 1),
     ("100,000 boxes, cylinders, cones and balls", mixed, 1024, 1),
     ("400 rings", rings, 1024, 1),
     ("91 balls, 32 lights", many_lights, 1024, 1),
