@@ -50,11 +50,17 @@ class SeeThroughs {
 
     /// The lanes that leave the body which they start on after they have passed another surface.
     /// There light_by_contacts() uses another formula.
-    Mask leave_later(const std::uint32_t* start_items, Mask active) {
+    Mask leave_later(const std::uint32_t* start_items, Mask active) const {
         Mask mask = 0;
         for_each_lane(active & ~unsure & ~starts_known_, [&](int i) {
-            sort(i);
-            if (own_later(i, start_items[i]) != 0) mask |= Mask(1) << i;
+            double first = infinity;
+            double own = -infinity;
+            for (int k = 0; k < count_[i]; ++k) {
+                const FilterCrossing& crossing = crossings_[i][k];
+                if (crossing.t < first) first = crossing.t;
+                if (crossing.item == start_items[i] && crossing.t > own) own = crossing.t;
+            }
+            if (first < own) mask |= Mask(1) << i;
         });
         return mask;
     }
