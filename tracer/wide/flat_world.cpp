@@ -83,6 +83,9 @@ FlatWorld::FlatWorld(const World<double>& world) {
     finishes_.emplace_back();  // finish_of_composites_: not plain
     for (const LightSource<double>& light : world.lights) add(light, world);
     scene_.has_smooth_media = world.has_smooth_media;
+    for (const Item& item : items_)
+        scene_.has_clear_meshes |= item.kind == Kind::mesh && item.clear;
+    for (const Finish& finish : finishes_) scene_.has_absorption |= finish.absorbs;
     scene_.has_glassy = world.has_media || world.has_transmission;
     scene_.tree = tree_of(world.bvh);
     scene_.items = items_.data();

@@ -200,8 +200,11 @@ class GlassPacket {
         int rows = next.deepest;
         if (starts.bodies.depth > rows) rows = starts.bodies.depth;
         if (starts.optical.depth > rows) rows = starts.optical.depth;
-        for (int k = next.deepest; k < rows; ++k)
-            for (int to = 0; to < first; ++to) next.bodies[k][to] = next.optical[k][to] = nothing;
+        const bool smooth = scene_.has_smooth_media;
+        for (int k = next.deepest; k < rows; ++k) {
+            for (int to = 0; to < first; ++to) next.bodies[k][to] = nothing;
+            for (int to = 0; smooth && to < first; ++to) next.optical[k][to] = nothing;
+        }
         next.deepest = rows;
         int to = first;
         for_each_lane(sent, [&](int i) {
@@ -210,11 +213,11 @@ class GlassPacket {
             next.entering[to] = (hits_.entering >> i & 1) != 0;
             next.left[to] = starts.left[i];
             next.chain[to] = chains == nullptr ? wave_.chain[at_ + i] : chains[i];
-            for (int k = 0; k < rows; ++k) {
+            for (int k = 0; k < rows; ++k)
                 next.bodies[k][to] = k < starts.bodies.depth ? starts.bodies.item[k][i] : nothing;
+            for (int k = 0; smooth && k < rows; ++k)
                 next.optical[k][to] =
                     k < starts.optical.depth ? starts.optical.item[k][i] : nothing;
-            }
             ++to;
         });
         next.count = to;

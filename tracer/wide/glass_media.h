@@ -35,6 +35,7 @@ inline Mask lost_bodies(const Scene& scene, const Rays& r, const Starts& starts,
 /// What is left of light, where it goes this far through bodies: Whitted::transmittance_between().
 inline Vectors dimmed(const Scene& scene, const Starts& starts, const Numbers& way, Mask mask,
                       const Vectors& light) {
+    if (!scene.has_absorption) return light;
     const Numbers zero = all(0.0);
     Vectors absorption{zero, zero, zero};
     Mask absorbs = 0;

@@ -49,6 +49,7 @@ namespace lancer::wide::LANCER_LEVEL {
 /// The same for rays that start anywhere: those for which adjacent_face_hit() may find a face.
 LANCER_INLINE Mask near_edges(const Scene& scene, const Rays& r, const Starts& starts,
                               Mask active) {
+    if (!scene.has_clear_meshes) return 0;
     Mask on_meshes = 0;
     for_each_lane(active & ~equal(starts.item, nothing), [&](int i) {
         const Item& item = scene.items[starts.item[i]];

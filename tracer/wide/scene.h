@@ -262,6 +262,8 @@ struct Scene {
     bool has_sky;  ///< the background depends on the direction
     bool has_glassy;
     bool has_smooth_media;
+    bool has_clear_meshes;  ///< some mesh of glass goes side by side
+    bool has_absorption;    ///< some body absorbs
     int max_depth;
     double min_contribution;
 };

@@ -58,7 +58,7 @@ class ShadowQuery {
 
   private:
     void look_again(Mask active) {
-        if (see_throughs_.some() == 0) return;
+        if (see_throughs_.some() == 0 || starts_.bodies.depth == 0) return;
         Mask later = see_throughs_.leave_later(starts_.item, active);
         while (later != 0) {
             const std::uint32_t item = starts_.item[__builtin_ctz(later)];
@@ -80,6 +80,7 @@ class ShadowQuery {
 
     /// The rays that start in a body which absorbs, or in another one inside of such a body.
     Mask in_absorbing_bodies() const {
+        if (!scene_.has_absorption) return 0;
         Mask mask = 0;
         const Bodies& bodies = starts_.bodies;
         for (int k = 0; k < bodies.depth; ++k) {
