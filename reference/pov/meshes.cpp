@@ -138,7 +138,7 @@ Vec3d coarse_place(const Mesh& mesh, PowerOfTen own) {
     return Vec3d(std::round(steps.x), std::round(steps.y), std::round(steps.z)) * step;
 }
 
-Mesh2 convert(const Mesh& mesh, bool smooth, PowerOfTen own) {
+Mesh2 mesh2_of(const Mesh& mesh, bool smooth, PowerOfTen own) {
     Mesh2 out;
     out.place.shift = coarse_place(mesh, own);
     for (const Vec3d& p : mesh.vertices)
@@ -162,7 +162,7 @@ bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) 
 
 void write_mesh(Writer& writer, const MeshPiece& piece, bool smooth, PowerOfTen own, bool closed,
                 const Material* material) {
-    Mesh2 out = convert(piece.mesh, smooth, own);
+    Mesh2 out = mesh2_of(piece.mesh, smooth, own);
     if (material != nullptr) add_colors(out, piece.mesh);
     out.place = compose(piece.back, out.place);
     out.write(writer, closed, material);
@@ -240,7 +240,7 @@ bool open_triangle(Writer& writer, const Object& object, const Triangle& shape, 
     if (smooth) mesh.normals.assign(attributes->normals->begin(), attributes->normals->end());
     if (mapped) mesh.uvs.assign(attributes->uvs->begin(), attributes->uvs->end());
     writer.text.open("mesh2 {");
-    convert(mesh, smooth, own).write(writer, is_closed(mesh), nullptr);
+    mesh2_of(mesh, smooth, own).write(writer, is_closed(mesh), nullptr);
     return true;
 }
 
