@@ -151,8 +151,9 @@ Mesh2 mesh2_of(const Mesh& mesh, bool smooth, PowerOfTen own) {
 
 /// POV-Ray stores the plane of a triangle in single precision. In a large mesh of small triangles,
 /// a shadow ray that grazes one therefore meets it again, further away than the distance at which
-/// POV-Ray drops hits. Pieces that are each near their own origin avoid this. Pieces have no
-/// inside, so a mesh that light enters stays whole.
+/// POV-Ray drops hits. Pieces that are each near their own origin avoid this. A mesh with colours
+/// of vertices has other pieces: has_upright_face(). Pieces have no inside, so a mesh that light
+/// enters stays whole.
 bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) {
     const Material& material = writer.scene.materials[object.material];
     if (writer.in_composite || lets_light_pass(writer.scene, material)) return false;
@@ -160,11 +161,12 @@ bool is_in_pieces(const Writer& writer, const Object& object, const Mesh& mesh) 
     return mesh.faces.size() > most_faces_of_a_piece && !is_mapped(mesh);
 }
 
-void write_mesh(Writer& writer, const MeshPiece& piece, bool smooth, PowerOfTen own, bool closed,
-                const Material* material) {
-    Mesh2 out = mesh2_of(piece.mesh, smooth, own);
-    if (material != nullptr) add_colors(out, piece.mesh);
-    out.place = compose(piece.back, out.place);
+/// \param back  turns the mesh to its place
+void write_mesh(Writer& writer, const Mesh& mesh, const Affine<double>& back, bool smooth,
+                PowerOfTen own, bool closed, const Material* material) {
+    Mesh2 out = mesh2_of(mesh, smooth, own);
+    if (material != nullptr) add_colors(out, mesh);
+    out.place = compose(back, out.place);
     out.write(writer, closed, material);
 }
 
@@ -202,11 +204,11 @@ void declare_mesh(Writer& writer, const Object& object, PowerOfTen own) {
     const std::uint32_t colored = std::get<4>(key);
     const Material* material = colored == none ? nullptr : &writer.scene.materials[colored];
     if (!in_pieces)
-        write_mesh(writer, {mesh}, smooth, own, is_body(writer.scene, *shape), material);
+        write_mesh(writer, mesh, {}, smooth, own, is_body(writer.scene, *shape), material);
     if (in_pieces)
         for (const MeshPiece& piece : material ? pieces_by_axis(mesh) : pieces_by_place(mesh)) {
             writer.text.open("mesh2 {");
-            write_mesh(writer, piece, smooth, own, false, material);
+            write_mesh(writer, piece.mesh, piece.back, smooth, own, false, material);
             writer.text.close();
         }
     writer.text.close();

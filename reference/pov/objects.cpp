@@ -56,14 +56,18 @@ struct Holds {
 /// room, so that it may as well be written inside out: then the camera is not in it.
 bool is_room_around_glass(const Writer& writer, const Object& object) {
     const Scene& scene = writer.scene;
-    if (lets_light_pass(scene, object)) return false;
+    const bool may_be =
+        std::holds_alternative<Sphere>(object.shape) || std::holds_alternative<Box>(object.shape);
+    if (!may_be || lets_light_pass(scene, object)) return false;
+    const bool has_glass =
+        std::any_of(scene.materials.begin(), scene.materials.end(),
+                    [&](const Material& m) { return m.fresnel && lets_light_pass(scene, m); });
+    if (!has_glass) return false;
     const Affine<long double> to_own =
         inverse(convert<long double>(scene.transforms[object.transform]));
     const Vec3d eye = convert<double>(
         map_point(to_own, convert<long double>(scene.cameras[writer.view.camera].position)));
-    return std::visit(Holds{eye}, object.shape) &&
-           std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [&](const Material& m) { return m.fresnel && lets_light_pass(scene, m); });
+    return std::visit(Holds{eye}, object.shape);
 }
 
 /// Writes what belongs to the object but not to the parts of a merged one.
