@@ -27,6 +27,30 @@ inline void add_term(Ledger& ledger, std::uint32_t chain, const double* light,
     c.last = at;
 }
 
+/// The same for the lanes of the mask.
+///
+/// \param children  null: the terms are light
+inline void add_terms(Ledger& ledger, const std::uint32_t* chains, Mask mask, const Vectors& light,
+                      const std::uint32_t* children) {
+    if (ledger.term_count + lanes > ledger.term_room) ledger.grow(ledger);
+    // In local variables: the compiler cannot know that terms and chains are not the ledger itself.
+    Term* const terms = ledger.terms;
+    Chain* const all_chains = ledger.chains;
+    std::uint32_t at = ledger.term_count;
+    for_each_lane(mask, [&](int i) {
+        terms[at] = {{lane(light.x, i), lane(light.y, i), lane(light.z, i)},
+                     children == nullptr ? std::uint32_t(nothing) : children[i],
+                     nothing};
+        Chain& chain = all_chains[chains[i]];
+        if (chain.last == nothing)
+            chain.first = at;
+        else
+            terms[chain.last].next = at;
+        chain.last = at++;
+    });
+    ledger.term_count = at;
+}
+
 /// Begins a chain. The caller makes sure that there is room.
 inline std::uint32_t begin_chain(Ledger& ledger) {
     Chain& chain = ledger.chains[ledger.chain_count];

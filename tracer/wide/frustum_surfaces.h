@@ -17,18 +17,18 @@ struct HitFrustums {
         const Numbers zero = all(0.0);
         end = axis = {zero, zero, zero};
         radius = slope = zero;
-        for_each_lane(mask, [&](int i) {
-            const Frustum& f = scene.frustums[scene.items[hits.item[i]].shape];
-            const Mask bit = Mask(1) << i;
-            const std::uint32_t face = hits.face[i];
-            set_lane(end, i, face == large_cap ? f.large_end : f.small_end);
-            set_lane(axis, i, f.axis);
-            if (face == small_cap) small |= bit;
-            if (face != frustum_side) return;
-            sides |= bit;
-            if (f.tilted) tilted |= bit;
-            set_lane(radius, i, f.radius);
-            set_lane(slope, i, f.slope);
+        for_each_item(hits.item, mask, [&](std::uint32_t item, Mask same) {
+            const Frustum& f = scene.frustums[scene.items[item].shape];
+            const Mask large = same & equal(hits.face, large_cap);
+            end = select(same, all(f.small_end), end);
+            end = select(large, all(f.large_end), end);
+            axis = select(same, all(f.axis), axis);
+            small |= same & equal(hits.face, small_cap);
+            const Mask side = same & equal(hits.face, frustum_side);
+            sides |= side;
+            if (f.tilted) tilted |= side;
+            radius = select(side, all(f.radius), radius);
+            slope = select(side, all(f.slope), slope);
         });
     }
 };

@@ -23,12 +23,7 @@ class GlassPacket {
         rays_ = make_rays(load(wave_.origin, at_), load(wave_.origin_lo, at_), load(wave_.dir, at_),
                           load(wave_.error + at_));
         through_ = load(wave_.through, at_);
-        for (int i = 0; i < lanes; ++i) {
-            starts_.item[i] = wave_.item[at_ + i];
-            starts_.left[i] = wave_.left[at_ + i];
-            starts_.face[i] = wave_.face[at_ + i];
-            starts_.entering |= (wave_.entering[at_ + i] ? 1U : 0U) << i;
-        }
+        load_starts(wave_, at_, starts_);
         take(wave_.bodies, rest, starts_.bodies);
         if (scene_.has_smooth_media) take(wave_.optical, rest, starts_.optical);
     }
@@ -46,14 +41,15 @@ class GlassPacket {
         const Mask leaves = missed & ~some_bodies;
         add_terms(leaves, through_ * behind(leaves));
         Mask met = active_ & hits_.some & ~exact;
-        for_each_lane(met, [&](int i) {
-            const Item& item = scene_.items[hits_.item[i]];
-            if (item.glassy ? !item.clear : !scene_.finishes[item.material].plain)
-                exact |= Mask(1) << i;
+        Mask glass = 0;
+        for_each_item(hits_.item, met, [&](std::uint32_t index, Mask same) {
+            const Item& item = scene_.items[index];
+            if (item.clear) glass |= same;
+            if (item.glassy ? !item.clear : !scene_.finishes[item.material].plain) exact |= same;
         });
         exact |= met & some_bodies & lost_bodies(scene_, rays_, starts_, hits_, active_);
         met &= ~exact;
-        if (met != 0) exact |= media_.cross(scene_, starts_, hits_, met);
+        if (met != 0) exact |= media_.cross(scene_, starts_, hits_, met, glass);
         met &= ~exact;
         if (exact != 0) follow_exactly(exact);
         if (met == 0) return;
@@ -68,6 +64,14 @@ class GlassPacket {
         for (int k = 0; k < wave_.deepest; ++k)
             for (int i = 0; i < lanes; ++i)
                 to.item[k][i] = i < rest ? from[k][at_ + i] : std::uint32_t(nothing);
+    }
+
+    static void send_bodies(Bodies& from, int rows, Mask sent,
+                            std::uint32_t (&to)[most_bodies][Wave::room], int first) {
+        for (int k = 0; k < rows; ++k) {
+            if (k >= from.depth) put_some(from.item[k], 255, nothing);
+            store_packed(to[k] + first, sent, from.item[k]);
+        }
     }
 
     /// The colours of rays that hit nothing.
@@ -101,10 +105,7 @@ class GlassPacket {
     }
 
     void add_terms(Mask mask, const Vectors& light) {
-        for_each_lane(mask, [&](int i) {
-            const double one[] = {lane(light.x, i), lane(light.y, i), lane(light.z, i)};
-            add_term(ledger_, wave_.chain[at_ + i], one, nothing);
-        });
+        LANCER_LEVEL::add_terms(ledger_, wave_.chain + at_, mask, light, nullptr);
     }
 
     /// Whitted::shade() and Whitted::bend(), for the hits of the mask.
@@ -161,11 +162,8 @@ class GlassPacket {
         if (sent == 0) return;
         const Vectors in_chain = through_ * share;
         std::uint32_t chains[lanes];
-        for_each_lane(sent, [&](int i) {
-            chains[i] = begin_chain(ledger_);
-            const double one[] = {lane(in_chain.x, i), lane(in_chain.y, i), lane(in_chain.z, i)};
-            add_term(ledger_, wave_.chain[at_ + i], one, chains[i]);
-        });
+        for_each_lane(sent, [&](int i) { chains[i] = begin_chain(ledger_); });
+        LANCER_LEVEL::add_terms(ledger_, wave_.chain + at_, sent, in_chain, chains);
         const Numbers one = all(1.0);
         send(*mirrored_wave(job_, depth_ + 1), mirror, weight, {one, one, one}, sent, sent, chains);
     }
@@ -206,21 +204,11 @@ class GlassPacket {
             for (int to = 0; smooth && to < first; ++to) next.optical[k][to] = nothing;
         }
         next.deepest = rows;
-        int to = first;
-        for_each_lane(sent, [&](int i) {
-            next.item[to] = hits_.item[i];
-            next.face[to] = hits_.face[i];
-            next.entering[to] = (hits_.entering >> i & 1) != 0;
-            next.left[to] = starts.left[i];
-            next.chain[to] = chains == nullptr ? wave_.chain[at_ + i] : chains[i];
-            for (int k = 0; k < rows; ++k)
-                next.bodies[k][to] = k < starts.bodies.depth ? starts.bodies.item[k][i] : nothing;
-            for (int k = 0; smooth && k < rows; ++k)
-                next.optical[k][to] =
-                    k < starts.optical.depth ? starts.optical.item[k][i] : nothing;
-            ++to;
-        });
-        next.count = to;
+        send_hits(hits_, starts, sent, next, first);
+        store_packed(next.chain + first, sent, chains == nullptr ? wave_.chain + at_ : chains);
+        send_bodies(starts.bodies, rows, sent, next.bodies, first);
+        if (smooth) send_bodies(starts.optical, rows, sent, next.optical, first);
+        next.count = first + __builtin_popcount(sent);
     }
 
     Job& job_;

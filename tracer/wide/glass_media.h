@@ -63,24 +63,25 @@ struct GlassMedia {
 
     /// Crosses the surfaces of the hits: crossed().
     ///
+    /// \param clear  hits with bodies that are media
     /// \return hits that are left to scalar code: those with more bodies than there is room for,
     ///         and those where light goes straight on
-    Mask cross(const Scene& scene, const Starts& starts, const NearestHits& hits, Mask met) {
+    Mask cross(const Scene& scene, const Starts& starts, const NearestHits& hits, Mask met,
+               Mask clear) {
         bodies.before = bodies.after = starts.bodies;
         const bool smooth = scene.has_smooth_media;
         if (smooth) optical.before = optical.after = starts.optical;
         const Around& indices = smooth ? optical : bodies;
         ratio = index_before = all(1.0);
-        glass = 0;
+        glass = clear & met;
         Mask exact = 0;
         const bool some_bodies = indices.before.depth != 0;
-        for_each_lane(met, [&](int i) {
+        for_each_lane(some_bodies ? met : glass, [&](int i) {
             const double before = some_bodies ? index_of(scene, indices.before, i) : 1;
             set_lane(index_before, i, before);
             const std::uint32_t item = hits.item[i];
-            if (!scene.items[item].clear) return;
             const Mask bit = Mask(1) << i;
-            glass |= bit;
+            if ((glass & bit) == 0) return;
             bool has_room = true;
             if ((hits.entering & bit) == 0)
                 bodies.after.remove(i, item);

@@ -4,6 +4,8 @@
 #include <immintrin.h>
 #include <sleef.h>
 
+#include <cstdint>
+
 namespace lancer::wide::LANCER_LEVEL {
 
 #define LANCER_INLINE [[gnu::always_inline]] inline
@@ -120,6 +122,9 @@ LANCER_INLINE void store_packed(double* to, Mask mask, const Numbers& a) {
     double each[lanes];
     store(each, a);
     for (; mask != 0; mask &= mask - 1) *to++ = each[__builtin_ctz(mask)];
+}
+LANCER_INLINE void store_packed(std::uint32_t* to, Mask mask, const std::uint32_t* from) {
+    for (; mask != 0; mask &= mask - 1) *to++ = from[__builtin_ctz(mask)];
 }
 LANCER_INLINE void store_some(double* to, Mask mask, const Numbers& a) {
     _mm256_maskstore_pd(to, spread(mask), a.low);

@@ -9,6 +9,8 @@
 #include <immintrin.h>
 #include <sleef.h>
 
+#include <cstdint>
+
 namespace lancer::wide::LANCER_LEVEL {
 
 #define LANCER_INLINE [[gnu::always_inline]] inline
@@ -104,6 +106,11 @@ LANCER_INLINE Numbers select(Mask mask, const Numbers& yes, const Numbers& no) {
 /// Stores the lanes of the mask contiguously at `to`, where there is room for eight.
 LANCER_INLINE void store_packed(double* to, Mask mask, const Numbers& a) {
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(mask), a.v));
+}
+LANCER_INLINE void store_packed(std::uint32_t* to, Mask mask, const std::uint32_t* from) {
+    const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), eight));
 }
 LANCER_INLINE void store_some(double* to, Mask mask, const Numbers& a) {
     _mm512_mask_storeu_pd(to, static_cast<__mmask8>(mask), a.v);

@@ -11,10 +11,10 @@ LANCER_INLINE Mask put_balls(const Scene& scene, const Rays& r, const NearestHit
                              Surfaces& s) {
     Vectors center = all(scene.balls[0].center);
     Numbers radius = all(1.0);
-    for_each_lane(mask, [&](int i) {
-        const Ball& ball = scene.balls[scene.items[hits.item[i]].shape];
-        set_lane(center, i, ball.center);
-        set_lane(radius, i, ball.radius);
+    for_each_item(hits.item, mask, [&](std::uint32_t item, Mask same) {
+        const Ball& ball = scene.balls[scene.items[item].shape];
+        center = select(same, all(ball.center), center);
+        radius = select(same, all(ball.radius), radius);
     });
     Vectors normal = normalize(start_from(r, center) + hits.t * r.dir);
     const Numbers way = hits.t * hits.t * r.dir_squared;
@@ -35,20 +35,24 @@ LANCER_INLINE void put_boxes(const Scene& scene, const Rays& r, const NearestHit
     Vectors width = anchor;
     Vectors normal = anchor;
     Mask across[3] = {0, 0, 0};
-    for_each_lane(mask, [&](int i) {
-        const Box& box = scene.boxes[scene.items[hits.item[i]].shape];
-        const auto axis = static_cast<int>(hits.face[i] / 2);
-        const bool at_max = hits.face[i] % 2 == 1;
+    const auto put_face = [&](const Box& box, std::uint32_t face, Mask same) {
+        const auto axis = static_cast<int>(face / 2);
+        const bool at_max = face % 2 == 1;
         double corner[] = {box.min[0], box.min[1], box.min[2]};
         const double size[] = {box.max[0] - box.min[0], box.max[1] - box.min[1],
                                box.max[2] - box.min[2]};
         double out[] = {0, 0, 0};
         if (at_max) corner[axis] = box.max[axis];
         out[axis] = at_max ? 1 : -1;
-        set_lane(anchor, i, corner);
-        set_lane(width, i, size);
-        set_lane(normal, i, out);
-        across[axis] |= Mask(1) << i;
+        anchor = select(same, all(corner), anchor);
+        width = select(same, all(size), width);
+        normal = select(same, all(out), normal);
+        across[axis] |= same;
+    };
+    for_each_item(hits.item, mask, [&](std::uint32_t item, Mask same) {
+        const Box& box = scene.boxes[scene.items[item].shape];
+        for_each_item(hits.face, same,
+                      [&](std::uint32_t face, Mask alike) { put_face(box, face, alike); });
     });
     Vectors offset = start_from(r, anchor) + hits.t * r.dir;
     const auto keep_on_face = [&](Numbers& x, const Numbers& most, Mask is_across) {

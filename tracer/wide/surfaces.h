@@ -36,20 +36,15 @@ LANCER_INLINE void give_finish(const Finish& f, Surfaces& s, const Give& give) {
     give(s.fresnel, f.fresnel);
 }
 
-LANCER_INLINE void put_finishes(const Scene& scene, const NearestHits& hits, Mask mask,
+/// Sets what surfaces take from their materials. The first material is given to all lanes.
+LANCER_INLINE void put_finishes(const Scene& scene, const std::uint32_t* materials, Mask mask,
                                 Surfaces& s) {
-    alignas(32) std::uint32_t materials[lanes]{};
-    for_each_lane(mask, [&](int i) { materials[i] = scene.items[hits.item[i]].material; });
     const std::uint32_t first = materials[__builtin_ctz(mask)];
     give_finish(scene.finishes[first], s, [](auto& to, const auto& from) { to = all(from); });
-    mask &= ~equal(materials, first);
-    while (mask != 0) {
-        const std::uint32_t next = materials[__builtin_ctz(mask)];
-        const Mask same = mask & equal(materials, next);
-        give_finish(scene.finishes[next], s,
+    for_each_item(materials, mask & ~equal(materials, first), [&](std::uint32_t other, Mask same) {
+        give_finish(scene.finishes[other], s,
                     [same](auto& to, const auto& from) { to = select(same, all(from), to); });
-        mask &= ~same;
-    }
+    });
 }
 
 /// Makes the surfaces of the hits in the mask, which is not empty. Other lanes hold meaningless
@@ -59,10 +54,11 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     const Scene& scene = *job.scene;
     const Numbers zero = all(0.0);
     const Vectors zeros{zero, zero, zero};
-    s = {zeros, zeros, zeros, zeros, zeros, zeros, zeros, zero, zero,   zero,
-         zero,  zero,  zero,  zero,  zero,  zero,  zero,  {},   nullptr};
+    // Member by member: the rest comes from the materials.
+    s.position = s.position_lo = s.geometric = s.normal = zeros;
+    s.error = zero;
+    s.points = nullptr;
     put_some(s.convex, 255, nothing);
-    put_finishes(scene, hits, mask, s);
     Mask balls = 0;
     Mask planes = 0;
     Mask boxes = 0;
@@ -72,34 +68,36 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     Mask patches = 0;
     Mask exact = 0;
     Mask textured = 0;
-    for_each_lane(mask, [&](int i) {
-        const Item& item = scene.items[hits.item[i]];
-        const Mask bit = Mask(1) << i;
-        if (item.convex) s.convex[i] = hits.item[i];
+    alignas(32) std::uint32_t materials[lanes]{};
+    for_each_item(hits.item, mask, [&](std::uint32_t index, Mask same) {
+        const Item& item = scene.items[index];
+        put_some(materials, same, item.material);
+        if (item.convex) put_some(s.convex, same, index);
         if (scene.finishes[item.material].textured) {
-            if (scene.texture_of == nullptr || scene.texture_of[hits.item[i]] == nothing) {
-                exact |= bit;
+            if (scene.texture_of == nullptr || scene.texture_of[index] == nothing) {
+                exact |= same;
                 return;
             }
-            textured |= bit;
+            textured |= same;
         }
-        if (hits.item[i] >= scene.bounded)
-            planes |= bit;
+        if (index >= scene.bounded)
+            planes |= same;
         else if (item.kind == Kind::ball)
-            balls |= bit;
+            balls |= same;
         else if (item.kind == Kind::box)
-            boxes |= bit;
+            boxes |= same;
         else if (item.kind == Kind::mesh)
-            meshes |= bit;
+            meshes |= same;
         else if (item.kind == Kind::frustum)
-            frustums |= bit;
+            frustums |= same;
         else if (item.kind == Kind::torus)
-            tori |= bit;
+            tori |= same;
         else if (item.kind == Kind::patch)
-            patches |= bit;
+            patches |= same;
         else
-            exact |= bit;
+            exact |= same;
     });
+    put_finishes(scene, materials, mask, s);
     SurfacePoints points;
     if (textured != 0) {
         points = {zeros, zeros, zero};
@@ -108,24 +106,15 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     if (balls != 0) exact |= put_balls(scene, r, hits, balls, s);
     if (boxes != 0) put_boxes(scene, r, hits, boxes, s);
     if (frustums != 0) exact |= put_frustums(scene, r, hits, frustums, s);
-    while (planes != 0) {
-        const std::uint32_t item = hits.item[__builtin_ctz(planes)];
-        const Mask same = planes & equal(hits.item, item);
+    for_each_item(hits.item, planes, [&](std::uint32_t item, Mask same) {
         put_plane(scene.planes[item - scene.bounded], r, hits, same, s);
-        planes &= ~same;
-    }
-    while (meshes != 0) {
-        const std::uint32_t item = hits.item[__builtin_ctz(meshes)];
-        const Mask same = meshes & equal(hits.item, item);
+    });
+    for_each_item(hits.item, meshes, [&](std::uint32_t item, Mask same) {
         exact |= put_mesh(scene, scene.meshes[scene.items[item].shape], hits, same, s);
-        meshes &= ~same;
-    }
-    while (tori != 0) {
-        const std::uint32_t item = hits.item[__builtin_ctz(tori)];
-        const Mask same = tori & equal(hits.item, item);
+    });
+    for_each_item(hits.item, tori, [&](std::uint32_t item, Mask same) {
         exact |= put_torus(scene, scene.tori[scene.items[item].shape], r, hits, same, s);
-        tori &= ~same;
-    }
+    });
     while (patches != 0) {
         const int any = __builtin_ctz(patches);
         const std::uint32_t item = hits.item[any];

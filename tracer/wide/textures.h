@@ -96,7 +96,9 @@ LANCER_INLINE Vectors gradient_colors(const Pattern& p, const PatternPoints& poi
         };
         const std::uint32_t first = pattern_of(__builtin_ctz(mask));
         Mask same = 0;
-        for_each_lane(mask, [&](int i) { same |= (pattern_of(i) == first ? 1U : 0U) << i; });
+        for_each_item(hits.item, mask, [&](std::uint32_t, Mask alike) {
+            if (pattern_of(__builtin_ctz(alike)) == first) same |= alike;
+        });
         const Pattern& p = scene.patterns[first];
         const Vectors color = p.kind == Pattern::Kind::checker ? checker_colors(p, points)
                                                                : gradient_colors(p, points, same);

@@ -31,6 +31,17 @@ LANCER_INLINE void for_each_lane(Mask mask, Work&& work) {
     for (; mask != 0; mask &= mask - 1) work(__builtin_ctz(mask));
 }
 
+/// Calls work(item, lanes) once for each different item of the lanes of the mask.
+template <class Work>
+LANCER_INLINE void for_each_item(const std::uint32_t* items, Mask mask, Work&& work) {
+    while (mask != 0) {
+        const std::uint32_t item = items[__builtin_ctz(mask)];
+        const Mask same = mask & equal(items, item);
+        work(item, same);
+        mask &= ~same;
+    }
+}
+
 struct Vectors {
     Numbers x, y, z;
 };

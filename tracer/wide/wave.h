@@ -19,6 +19,26 @@ LANCER_INLINE void store_packed(double (*to)[Wave::room], int at, Mask mask, con
     store_packed(to[2] + at, mask, v.z);
 }
 
+/// The starts of eight rays from `at` on, but for the bodies around them.
+LANCER_INLINE void load_starts(const Wave& wave, int at, Starts& starts) {
+    __builtin_memcpy(starts.item, wave.item + at, sizeof starts.item);
+    __builtin_memcpy(starts.left, wave.left + at, sizeof starts.left);
+    __builtin_memcpy(starts.face, wave.face + at, sizeof starts.face);
+    // Eight bytes that are 0 or 1: the product has byte i as bit 56 + i.
+    std::uint64_t eight;
+    __builtin_memcpy(&eight, wave.entering + at, sizeof eight);
+    starts.entering = static_cast<Mask>(eight * 0x0102040810204080U >> 56);
+}
+
+/// Puts what new rays start on into a wave, from `at` on.
+LANCER_INLINE void send_hits(const NearestHits& hits, const Starts& starts, Mask sent, Wave& wave,
+                             int at) {
+    store_packed(wave.item + at, sent, hits.item);
+    store_packed(wave.face + at, sent, hits.face);
+    store_packed(wave.left + at, sent, starts.left);
+    for_each_lane(sent, [&](int i) { wave.entering[at++] = (hits.entering >> i & 1) != 0; });
+}
+
 /// Initialises the elements behind the last ray, which whole vectors read.
 inline void pad(Wave& wave) {
     const Numbers zero = all(0.0);
@@ -78,12 +98,7 @@ class Packet {
         rays_ = make_rays(load(wave_.origin, at_), load(wave_.origin_lo, at_), load(wave_.dir, at_),
                           load(wave_.error + at_));
         Starts starts;
-        for (int i = 0; i < lanes; ++i) {
-            starts.item[i] = wave_.item[at_ + i];
-            starts.left[i] = wave_.left[at_ + i];
-            starts.face[i] = wave_.face[at_ + i];
-            starts.entering |= (wave_.entering[at_ + i] ? 1U : 0U) << i;
-        }
+        load_starts(wave_, at_, starts);
         if (scene_.has_patches) {
             starts.normal = load(wave_.normal, at_);
             starts.planes = active & ~equal(starts.item, nothing);
@@ -92,11 +107,10 @@ class Packet {
         for_each_lane(hits_.unsure, [&](int i) { trace_exactly(i, starts); });
         for_each_lane(active & ~hits_.some & ~hits_.unsure, [&](int i) { put_color_behind(i); });
         Mask met = active & hits_.some & ~hits_.unsure;
-        for_each_lane(met, [&](int i) {
-            const Item& item = scene_.items[hits_.item[i]];
-            if (scene_.finishes[item.material].plain) return;
-            shade_exactly(i);
-            met &= ~(1U << i);
+        for_each_item(hits_.item, met, [&](std::uint32_t item, Mask same) {
+            if (scene_.finishes[scene_.items[item].material].plain) return;
+            for_each_lane(same, [&](int i) { shade_exactly(i); });
+            met &= ~same;
         });
         if (met != 0) shade(met);
     }
@@ -154,7 +168,7 @@ class Packet {
         Starts starts;
         set_left(s, mirror, starts);
         Wave& next = *next_;
-        int to = next.count;
+        const int to = next.count;
         store_packed(next.origin, to, sent, s.position);
         store_packed(next.origin_lo, to, sent, s.position_lo);
         store_packed(next.dir, to, sent, mirror);
@@ -162,15 +176,9 @@ class Packet {
         store_packed(next.error + to, sent, s.error);
         store_packed(next.weight + to, sent, weight);
         if (scene_.has_patches) store_packed(next.normal, to, sent, s.geometric);
-        for_each_lane(sent, [&](int i) {
-            next.sender[to] = static_cast<std::uint32_t>(at_ + i);
-            next.item[to] = hits_.item[i];
-            next.face[to] = hits_.face[i];
-            next.entering[to] = (hits_.entering >> i & 1) != 0;
-            next.left[to] = starts.left[i];
-            ++to;
-        });
-        next.count = to;
+        send_hits(hits_, starts, sent, next, to);
+        for_each_lane(
+            sent, [&](int i) { next.sender[next.count++] = static_cast<std::uint32_t>(at_ + i); });
     }
 
     Job& job_;
