@@ -84,6 +84,7 @@ std::uint64_t lost(const Mesh& mesh, const Affine<double>& map, double ior, bool
     scene.background = Color(1);
     scene.settings.min_contribution = 0;
     scene.settings.max_depth = 8;
+    scene.settings.threads = 1;
     scene.meshes.push_back(std::make_shared<Mesh>(mesh));
     Material m = clear(ior);
     m.fresnel = fresnel;
@@ -112,19 +113,28 @@ TEST(MeshEdge, TotalReflectionInARightAngleTurnsTheRayBack) {
     }
 }
 
-/// Convex and concave edges and corners; when rotated, rays hit them as closely as rounding allows.
-TEST(MeshEdge, NoCrossingIsLostAtEdgesAndCorners) {
+/// How many rays lose a crossing, of those aimed at edges and corners of random bodies.
+///
+/// \param beside  aims beside the edge, by 10^-12 to 10^-14
+int lost_of(int rounds, bool beside, std::uint32_t seed) {
     const std::vector<Mesh> meshes{right_prism(), cube(), splinter(), notched_prism()};
-    std::mt19937 random(3);
+    std::mt19937 random(seed);
     const auto below = [&](std::size_t n) { return random() % n; };
     const auto coordinate = [&] { return static_cast<double>(random()) / 4294967296.0 * 16 - 8; };
-    for (int round = 0; round < 4000; ++round) {
+    int count = 0;
+    for (int round = 0; round < rounds; ++round) {
         const Mesh& mesh = meshes[below(meshes.size())];
         const Mesh::Corners& face = mesh.faces[below(mesh.faces.size())];
         const std::size_t side = below(3);
         const Vec3d& a = mesh.vertices[face[side]];
         const Vec3d& b = mesh.vertices[face[(side + 1) % 3]];
-        const Vec3d at = a + (static_cast<double>(below(16)) / 16) * (b - a);  // 0 is a corner
+        Vec3d at = a + (static_cast<double>(below(16)) / 16) * (b - a);  // 0 is a corner
+        if (beside) {
+            const double size = std::pow(10.0, -12.5 - static_cast<double>(below(4)) * 0.5);
+            const double x = coordinate();
+            const double y = coordinate();
+            at = at + size * Vec3d(x, y, coordinate());
+        }
         const double x = coordinate();
         const double y = coordinate();
         const Vec3d from(x, y, coordinate());
@@ -132,8 +142,19 @@ TEST(MeshEdge, NoCrossingIsLostAtEdgesAndCorners) {
         const Affine<double> map =
             in_turn(turn_x(17.0 * static_cast<double>(below(4))),
                     stretched(1, below(2) ? 1 : -3, 1), shift(0.3, 0, below(2) ? 0 : 1e3));
-        ASSERT_EQ(lost(mesh, map, index, below(2) == 0, from, at), 0U) << "round " << round;
+        if (lost(mesh, map, index, below(2) == 0, from, at) != 0) ++count;
     }
+    return count;
+}
+
+/// Convex and concave edges and corners; when rotated, rays hit them as closely as rounding allows.
+TEST(MeshEdge, NoCrossingIsLostAtEdgesAndCorners) {
+    EXPECT_EQ(lost_of(4000, false, 3), 0);
+}
+
+/// Where a ray meets a face at a small angle, its start may lie as far as this from the true place.
+TEST(MeshEdge, NoCrossingIsLostBesideEdges) {
+    EXPECT_EQ(lost_of(20000, true, 5), 0);
 }
 
 }  // namespace

@@ -122,18 +122,24 @@ Real index_of(const World<Real>& world, const Media& media) {
     return medium == nullptr ? Real(1) : medium->ior;
 }
 
-/// Drops the bodies that cannot hold a point beyond the contact although they are in the list: a
-/// crossing was lost. Returns how many.
+/// The bodies in the list that cannot hold a point beyond the contact: a crossing was lost. Where
+/// a ray meets nothing more, it can only be inside half spaces and other unbounded bodies.
 ///
 /// A body that the contact leaves is not lost, wherever its bounds end. The surfaces of a contact
 /// lie apart by up to their errors, and t is that of one of them: where a line all but touches a
 /// ring, a slab that cuts the ring, and so bounds the body, ends before t by more than the
 /// roundings of places.
 template <class Real>
-std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Real>& ray,
-                        const Contact<Real>& contact) {
+MediaList lost_bodies(const World<Real>& world, const MediaList& media, const Ray<Real>& ray,
+                      const Contact<Real>& contact) {
     using std::abs;
-    if (media.empty()) return {};
+    MediaList lost;
+    if (media.empty()) return lost;
+    if (contact.empty()) {
+        std::copy_if(media.begin(), media.end(), std::back_inserter(lost),
+                     [&](std::uint32_t body) { return body < world.bounded; });
+        return lost;
+    }
     const Real t = contact.front().t;
     const Vec3<Real> point = (ray.origin + t * ray.dir) + ray.origin_lo;
     const Vec3<Real> slack = gamma<Real>(16) * (absolute(ray.origin) + Vec3<Real>(abs(t))) +
@@ -143,25 +149,17 @@ std::uint64_t drop_lost(const World<Real>& world, MediaList& media, const Ray<Re
             return hit.surface.primitive == body && !hit.surface.entering;
         });
     };
-    const auto outside = [&](std::uint32_t body) {
+    for (const std::uint32_t body : media) {
         const Bounds<Real>& b = world.medium_bounds[world.primitives[body].medium_slot];
-        return !Bounds<Real>{b.min - slack, b.max + slack}.contains(point) && !is_left(body);
-    };
-    const auto end = std::remove_if(media.begin(), media.end(), outside);
-    const auto lost = static_cast<std::uint64_t>(media.end() - end);
-    media.erase(end, media.end());
+        if (!Bounds<Real>{b.min - slack, b.max + slack}.contains(point) && !is_left(body))
+            lost.push_back(body);
+    }
     return lost;
 }
 
-/// For a ray that meets nothing more. It can only be inside half spaces and other unbounded
-/// bodies, so any bounded body in its list lost a crossing. Removes these, and returns how many.
-template <class Real>
-std::uint64_t drop_bounded(const World<Real>& world, MediaList& media) {
-    const auto bounded = [&](std::uint32_t body) { return body < world.bounded; };
-    const auto end = std::remove_if(media.begin(), media.end(), bounded);
-    const auto lost = static_cast<std::uint64_t>(media.end() - end);
-    media.erase(end, media.end());
-    return lost;
+inline void drop(MediaList& media, const MediaList& lost) {
+    const auto is_lost = [&](std::uint32_t body) { return contains(lost, body); };
+    media.erase(std::remove_if(media.begin(), media.end(), is_lost), media.end());
 }
 
 }  // namespace lancer

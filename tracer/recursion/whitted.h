@@ -80,12 +80,15 @@ class Whitted {
         bool looks_ahead = depth == 0 && seen_through != nullptr;
         while (is_followed(limits_, weight, depth)) {
             Contact<Real> contact = adjacent_face_hit(world_, ray, turn, media.bodies);
-            const bool at_once = !contact.empty();
+            bool at_once = !contact.empty();
             if (!at_once) contact = nearest_contact(world_, ray, start, media.bodies);
+            if (world_.has_media) {
+                const bool found = find_lost(ray, turn, media.bodies, contact);
+                at_once = at_once || found;
+            }
             turn = {};
             if (contact.empty()) {
                 lighting_.note(none);
-                counts.media_lost += drop_bounded(world_, media.bodies);
                 const Vec3<Real> arrives = through * transmittance_to_infinity(media);
                 lighting_.recorder.end_in_background(arrives);
                 if (looks_ahead)
@@ -95,10 +98,7 @@ class Whitted {
                 return;
             }
             const Real t = contact.front().t;
-            if (world_.has_media) {
-                counts.media_lost += drop_lost(world_, media.bodies, ray, contact);
-                through = through * transmittance_between(media, start.t, t);
-            }
+            if (world_.has_media) through = through * transmittance_between(media, start.t, t);
             order_contact(world_, contact);
             SurfaceList touched;
             if (at_once) touched = start.surfaces;
@@ -148,6 +148,28 @@ class Whitted {
             lighting_.recorder.start(ray, start.t, media, weight, depth);
         }
         lighting_.recorder.end_at_limit(through, weight, depth);
+    }
+
+    /// Drops the bodies that lost a crossing, unless that crossing is found at an edge.
+    ///
+    /// \param contact  becomes that crossing
+    /// \return whether it was found
+    bool find_lost(const Ray<Real>& ray, const SurfaceId& turn, MediaList& bodies,
+                   Contact<Real>& contact) {
+        MediaList lost = lost_bodies(world_, bodies, ray, contact);
+        if (lost.empty()) return false;
+        bool found = false;
+        if (contains(lost, turn.primitive)) {
+            Contact<Real> at_edge = lost_face_hit(world_, ray, turn, bodies);
+            found = !at_edge.empty();
+            if (found) {
+                contact = std::move(at_edge);
+                lost = lost_bodies(world_, bodies, ray, contact);
+            }
+        }
+        drop(bodies, lost);
+        lighting_.counts.media_lost += lost.size();
+        return found;
     }
 
     /// The media around a ray that leaves a surface. The geometric normal decides which bodies

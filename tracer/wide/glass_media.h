@@ -3,7 +3,8 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
-/// Rays whose hit lies outside the bounds of a body in their list: drop_lost().
+/// Rays whose hit lies outside the bounds of a body in their list: lost_bodies() of
+/// intersect/media.h.
 inline Mask lost_bodies(const Scene& scene, const Rays& r, const Starts& starts,
                         const NearestHits& hits, Mask active) {
     const Vectors way = hits.t * r.dir;

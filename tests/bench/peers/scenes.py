@@ -101,7 +101,7 @@ def jars(folder):
     stage = haines_stage(max_depth=10)
     clear = "color [1, 1, 1] ambient 0 diffuse 0 transmission 1 reflection 1 fresnel true"
     stage.lancer_alone(f"material glass {{ {clear} ior 1.5 phong 0.5 }}")
-    stage.lancer_alone(f"material water {{ {clear} ior 1.33 absorption [4, 1, 0.4] }}")
+    stage.lancer_alone(f"material water {{ {clear} ior 1.33 absorption [2, 0.5, 0.2] }}")
     stage.lancer_alone(f"material ice {{ {clear} ior 1.31 }}")
     stage.lancer_alone("material straw { color [0.9, 0.2, 0.1] ambient 0.1 diffuse 0.7 phong 0.3 }")
     for i in range(15):
