@@ -84,11 +84,7 @@ class PovRayAgain {
         const PovRayRules rules = rules_of(exported);
         PovRayRules none = rules;
         none.followed = false;
-        const bool merged = std::any_of(
-            exported.coincidences.begin(), exported.coincidences.end(),
-            [](auto& c) { return c.resolution == reference::Coincidence::Resolution::merged; });
-        // The recursion does not merge bodies, but treats glued bodies of the same glass as one.
-        const std::shared_ptr<const Scene> scene = merged ? job_.scene : exported.resolved;
+        const std::shared_ptr<const Scene> scene = exported.resolved;
         const View view = tracer_view(job_.view);
         resolved_.emplace();
         resolved_->theirs = picture(std::move(exported), job_.view.width, job_.view.height);

@@ -11,6 +11,7 @@
 #include "reference/pov/declaration_order.h"
 #include "reference/pov/differences.h"
 #include "reference/pov/export_scale.h"
+#include "reference/pov/glued_bodies.h"
 #include "reference/pov/resolution.h"
 #include "reference/pov/writer.h"
 
@@ -134,7 +135,8 @@ ExportResult export_pov(const Scene& scene, const ExportView& view, const Export
         shown = pov::resolved(scene, pairs, pov::resolving_step(scene, pairs, scale));
     result.coincidences = pov::coincidences(shown.pairs);
     if (!options.resolve_coincidences) shown = {scene, {}, {}};
-    if (options.resolve_coincidences) result.resolved = std::make_shared<Scene>(shown.scene);
+    if (options.resolve_coincidences)
+        result.resolved = std::make_shared<Scene>(pov::with_unions(shown.scene, shown.merged));
     pov::Writer writer{shown.scene, view, options, result, scale, {}, {}, {}, {}, shown.merged};
     result.factor = scale.factor();
     result.decades = scale.exponent;

@@ -114,8 +114,7 @@ struct ExportResult {
     std::vector<KnownDifference> known_differences;
     std::vector<Approximation> approximations;
     std::vector<Coincidence> coincidences;
-    /// With resolve_coincidences: the scene that `text` describes, except for bodies that are
-    /// merged there.
+    /// With resolve_coincidences: the scene that `text` describes.
     std::shared_ptr<const Scene> resolved;
     double unit = 1;  ///< POV-Ray's unit of length in units of the scene: 1 / factor
     /// For each element of Scene::patches: POV-Ray draws every patch as 2^h x 2^h x 2 triangles.

@@ -151,6 +151,25 @@ TEST_F(CoincidentFaces, GluedBlocksOfOneGlass) {
     });
 }
 
+/// POV-Ray has rules of its own for absorption in front of a mirror: they are tried on the one
+/// body.
+TEST_F(CoincidentFaces, GluedBlocksOfOneGlassThatMirrorsAndAbsorbs) {
+    Scene scene = stage();
+    scene.settings.max_depth = 7;
+    Material glass = clear(1.5, 0.9);
+    glass.reflection = Color(1);
+    glass.fresnel = true;
+    glass.absorption = {0.4, 0.2, 0.1};
+    const std::uint32_t matter = add_material(scene, glass);
+    const std::uint32_t leaning = add_leaning(scene);
+    for (const double left : {-0.9, -0.3, 0.3})
+        add_object(scene, Box{{left, -0.7, -0.5}, {left + 0.6, 0.5, 0.5}}, matter).transform =
+            leaning;
+    const Validation v = validate(scene);
+    EXPECT_EQ(v.verdict, Verdict::agrees) << unexplained(v);
+    expect_not_excused(scene, [](Scene& ours) { ours.materials[1].absorption = {0.4, 0.2, 0.15}; });
+}
+
 TEST_F(CoincidentFaces, TwoGlassesFaceToFace) {
     Scene scene = stage();
     const std::uint32_t leaning = add_leaning(scene);
