@@ -102,9 +102,10 @@ class SeeThroughs {
             // A body that casts no shadow does not absorb light either.
             if (!scene.items[start.bodies[k]].casts_shadow) continue;
             bodies[depth++] = start.bodies[k];
-            // The light is inside, or rounding hides the way out.
+            // The light is inside, or rounding hides the way out, unless see_again() found it.
             if (start.bodies[k] == start.item &&
-                (count_[i] == 0 || crossings[0].item != start.item))
+                (count_[i] == 0 ||
+                 (crossings[0].item != start.item && (again_known_ >> i & 1) == 0)))
                 return false;
         }
         for (int c = 0; c < 3; ++c) light[c] = 1;
