@@ -54,10 +54,7 @@ TEST(NoObject, IndexOneAndFullTransmissionChangeNoBit) {
         scene.settings.max_depth = 6;
         scene.cameras = {camera_along({2, 5, 9}, {0, 0, 0})};
         const Image plain = without_losses(scene, 24, 18);
-        Material air;
-        air.ambient = 0;
-        air.diffuse = 0;
-        air.transmission = 1;
+        const Material air = clear(1);
         const Affine<double> turned = in_turn(stretched(1, 2, 0.7), turn_x(33), turn_y(12));
         show(scene, any_body(random), air);
         show(scene, any_body(random), air, turned);

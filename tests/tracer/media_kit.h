@@ -8,15 +8,6 @@
 
 namespace lancer::kit {
 
-inline Material clear(double ior) {
-    Material m;
-    m.ambient = 0;
-    m.diffuse = 0;
-    m.transmission = 1;
-    m.ior = ior;
-    return m;
-}
-
 /// Something to see from all sides: a striped sky of large glowing balls around the origin.
 inline void surround(Scene& scene) {
     scene.background = {0.1, 0.2, 0.4};

@@ -69,15 +69,6 @@ Mesh notched_prism() {
     return solid_of(vertices, faces);
 }
 
-Material clear(double ior) {
-    Material m;
-    m.ambient = 0;
-    m.diffuse = 0;
-    m.transmission = 1;
-    m.ior = ior;
-    return m;
-}
-
 std::uint64_t lost(const Mesh& mesh, const Affine<double>& map, double ior, bool fresnel,
                    const Vec3d& from, const Vec3d& at) {
     Scene scene;

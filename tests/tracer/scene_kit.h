@@ -87,6 +87,16 @@ inline Image picture(const Scene& scene, int width, int height, RayCounts* count
     return image;
 }
 
+/// Glass that neither dims nor mirrors.
+inline Material clear(double ior) {
+    Material m;
+    m.ambient = 0;
+    m.diffuse = 0;
+    m.transmission = 1;
+    m.ior = ior;
+    return m;
+}
+
 /// A surface that shows its colour as it is, lit or not.
 inline Material glowing(const Color& color) {
     Material m;

@@ -26,15 +26,6 @@ void add_tetrahedron(Mesh& mesh, const Vec3d& a, const Vec3d& b, const Vec3d& c,
     }
 }
 
-Material clear(double ior) {
-    Material m;
-    m.ambient = 0;
-    m.diffuse = 0;
-    m.transmission = 1;
-    m.ior = ior;
-    return m;
-}
-
 Scene scene_of(const Mesh& mesh, const Material& material) {
     Scene scene;
     scene.settings.min_contribution = 0;

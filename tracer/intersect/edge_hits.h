@@ -95,89 +95,49 @@ void faces_near(const TriangleMesh<Real>& mesh, const Vec3<Real>& point, Real re
     }
 }
 
-/// A ray that starts on a face of a mesh that is a medium, in the mesh's own space.
-template <class Real>
-class AdjacentFaces {
-  public:
-    /// \param start  the face that the ray starts on
-    AdjacentFaces(const TriangleMesh<Real>& mesh, const Ray<Real>& local, const SurfaceId& start,
-                  bool inside)
-        : mesh_(mesh),
-          from_(mesh, start.face),
-          start_(start),
-          at_(local.origin + local.origin_lo),
-          dir_(local.dir),
-          inside_(inside) {
-        // origin_error bounds the start's distance from the face. Its error along the face, and
-        // the errors of crossings computed from it, grow with the sizes of the face and of the
-        // coordinates.
-        const Real size = max_component(absolute(from_.triangle.b - from_.triangle.a)) +
-                          max_component(absolute(from_.triangle.c - from_.triangle.a));
-        reach_ = 4 * local.origin_error + gamma<Real>(16) * (max_component(absolute(at_)) + size);
-    }
-
-    /// How far beside an edge the start may be for a hit.
-    Real reach() const { return reach_; }
-
-    /// The hit of the adjacent face that the ray crosses most steeply, with a start at most `reach`
-    /// beside the edge; empty if there is none.
-    Contact<Real> hit(Real reach) const {
-        Contact<Real> met;
-        if (!is_near_edge(from_.triangle, at_, reach)) return met;
-        Real steepest = 0;
-        faces_near(mesh_, at_, reach, [&](std::uint32_t index) {
-            if (index == start_.face) return;
-            const OrientedFace<Real> face(mesh_, index);
-            const Real out = (inside_ ? 1 : -1) * dot(face.outward, dir_);
-            if (!(out > steepest) || is_convex_edge(from_, face.triangle) != inside_) return;
-            const auto weights = weights_near(face.triangle, at_, reach);
-            if (!weights) return;
-            steepest = out;
-            const SurfaceId surface{start_.primitive, index, !inside_};
-            met.assign(1, Hit<Real>{0, reach, surface, weights->x, weights->y});
-        });
-        return met;
-    }
-
-  private:
-    const TriangleMesh<Real>& mesh_;
-    OrientedFace<Real> from_;
-    SurfaceId start_;
-    Vec3<Real> at_;
-    Vec3<Real> dir_;
-    bool inside_;
-    Real reach_;
-};
-
-/// Calls work(AdjacentFaces) if the ray starts on a mesh that is a medium; else returns no hit.
-///
-/// \param turn    the face that refracted or mirrored the ray
-/// \param bodies  that contain the ray
-template <class Real, class Work>
-Contact<Real> with_adjacent_faces(const World<Real>& world, const Ray<Real>& ray,
-                                  const SurfaceId& turn, const MediaList& bodies, Work&& work) {
-    if (turn.primitive == none) return {};
-    const Primitive<Real>& primitive = world.primitives[turn.primitive];
-    const auto* instance = std::get_if<MeshInstance<Real>>(&primitive.solid);
-    if (instance == nullptr || !primitive.medium) return {};
-    const bool inside = contains(bodies, turn.primitive);
-    if (primitive.frame == none)
-        return work(AdjacentFaces<Real>(*instance->mesh, ray, turn, inside));
-    const Ray<Real> local = to_local(ray, world.frames[primitive.frame]);
-    return work(AdjacentFaces<Real>(*instance->mesh, local, turn, inside));
-}
-
 /// The adjacent face hit of a ray that a face of a mesh refracted or mirrored; empty if there is
 /// none. If the distance between the ray's start and an edge is below the rounding error, the ray
 /// may go straight through the face behind that edge: out of the body at a convex edge, into it at
 /// a concave one. The search may miss both faces by rounding. So this function takes the side from
 /// the ray's list of bodies.
+///
+/// \param turn    the face that the ray starts on
+/// \param bodies  that contain the ray
+/// \param wider   how many times the rounding error the start may be from the edge
 template <class Real>
 Contact<Real> adjacent_face_hit(const World<Real>& world, const Ray<Real>& ray,
-                                const SurfaceId& turn, const MediaList& bodies) {
-    return with_adjacent_faces(world, ray, turn, bodies, [](const AdjacentFaces<Real>& faces) {
-        return faces.hit(faces.reach());
+                                const SurfaceId& turn, const MediaList& bodies, Real wider = 1) {
+    Contact<Real> met;
+    if (turn.primitive == none) return met;
+    const Primitive<Real>& primitive = world.primitives[turn.primitive];
+    const auto* instance = std::get_if<MeshInstance<Real>>(&primitive.solid);
+    if (instance == nullptr || !primitive.medium) return met;
+    const TriangleMesh<Real>& mesh = *instance->mesh;
+    const Ray<Real> local =
+        primitive.frame == none ? ray : to_local(ray, world.frames[primitive.frame]);
+    const Vec3<Real> start = local.origin + local.origin_lo;
+    const OrientedFace<Real> from(mesh, turn.face);
+    // origin_error bounds the start's distance from the face. Its error along the face, and the
+    // errors of crossings computed from it, grow with the sizes of the face and of the coordinates.
+    const Real size = max_component(absolute(from.triangle.b - from.triangle.a)) +
+                      max_component(absolute(from.triangle.c - from.triangle.a));
+    const Real reach = wider * (4 * local.origin_error +
+                                gamma<Real>(16) * (max_component(absolute(start)) + size));
+    if (!is_near_edge(from.triangle, start, reach)) return met;
+    const bool inside = contains(bodies, turn.primitive);
+    Real steepest = 0;
+    faces_near(mesh, start, reach, [&](std::uint32_t index) {
+        if (index == turn.face) return;
+        const OrientedFace<Real> face(mesh, index);
+        const Real out = (inside ? 1 : -1) * dot(face.outward, local.dir);
+        if (!(out > steepest) || is_convex_edge(from, face.triangle) != inside) return;
+        const auto weights = weights_near(face.triangle, start, reach);
+        if (!weights) return;
+        steepest = out;
+        met.assign(1,
+                   Hit<Real>{0, reach, {turn.primitive, index, !inside}, weights->x, weights->y});
     });
+    return met;
 }
 
 /// The same for a ray that a search lost in the body it starts on: the nearest adjacent face.
@@ -189,13 +149,11 @@ template <class Real>
 Contact<Real> lost_face_hit(const World<Real>& world, const Ray<Real>& ray, const SurfaceId& turn,
                             const MediaList& bodies) {
     using std::sqrt;
-    return with_adjacent_faces(world, ray, turn, bodies, [](const AdjacentFaces<Real>& faces) {
-        Contact<Real> met;
-        const Real farthest = faces.reach() / sqrt(gamma<Real>(16));
-        for (Real reach = 8 * faces.reach(); met.empty() && reach <= farthest; reach *= 8)
-            met = faces.hit(reach);
-        return met;
-    });
+    Contact<Real> met;
+    const Real widest = 1 / sqrt(gamma<Real>(16));
+    for (Real wider = 8; met.empty() && wider <= widest; wider *= 8)
+        met = adjacent_face_hit(world, ray, turn, bodies, wider);
+    return met;
 }
 
 }  // namespace lancer

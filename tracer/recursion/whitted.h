@@ -82,10 +82,7 @@ class Whitted {
             Contact<Real> contact = adjacent_face_hit(world_, ray, turn, media.bodies);
             bool at_once = !contact.empty();
             if (!at_once) contact = nearest_contact(world_, ray, start, media.bodies);
-            if (world_.has_media) {
-                const bool found = find_lost(ray, turn, media.bodies, contact);
-                at_once = at_once || found;
-            }
+            if (world_.has_media && find_lost(ray, turn, media.bodies, contact)) at_once = true;
             turn = {};
             if (contact.empty()) {
                 lighting_.note(none);

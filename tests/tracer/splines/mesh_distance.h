@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <random>
 
 #include "model/patch_net.h"
 #include "tracer/splines/bicubic.h"
@@ -89,22 +88,6 @@ inline Wide measured_distance(const Patch& patch, const Mesh& mesh, int samples,
         }
     }
     return worst;
-}
-
-/// A square of `factor`, moved about in its own plane and bent.
-inline Patch random_patch(unsigned seed, double factor, double flatness) {
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<double> shift(-1, 1);
-    Patch patch;
-    for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < 4; ++j) {
-            const double bend = flatness * 2;
-            patch.control.push_back(Vec3d(j + 0.4 * shift(generator), bend * shift(generator),
-                                          i + 0.4 * shift(generator)) *
-                                    (factor / 3));
-        }
-    }
-    return patch;
 }
 
 }  // namespace lancer::splines

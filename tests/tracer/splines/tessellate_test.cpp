@@ -8,6 +8,7 @@
 
 #include "model/patch_net.h"
 #include "tests/tracer/splines/fewest_grid.h"
+#include "tests/tracer/splines/random_patch.h"
 
 namespace lancer::splines {
 namespace {
@@ -45,7 +46,7 @@ TEST(Tessellate, DistanceIsWithinTheToleranceAtAnyScale) {
     for (unsigned seed = 0; seed < 6; ++seed) {
         for (const double factor : {1.0, 1e9, 1e-9, 1e90, 1e-90}) {
             if (seed > 1 && factor != 1) continue;
-            const Patch patch = random_patch(seed, factor, seed % 2 == 0 ? 1 : 0.1);
+            const Patch patch = random_patch_from_corner(seed, factor, seed % 2 == 0 ? 1 : 0.1);
             for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
                 const auto mesh = tessellate(patch, tolerance * factor);
                 ASSERT_TRUE(mesh);
@@ -59,7 +60,7 @@ TEST(Tessellate, DistanceIsWithinTheToleranceAtAnyScale) {
 
 TEST(Tessellate, EachPatchIsCutAsIfAlone) {
     // Scaling by a power of two scales the mesh exactly.
-    const Patch patch = random_patch(1, 1, 1);
+    const Patch patch = random_patch_from_corner(1, 1, 1);
     Patch large = patch;
     for (Vec3d& p : large.control) p *= 1024.0;
     const auto a = tessellate(patch, 1e-3);
@@ -73,7 +74,7 @@ TEST(Tessellate, EachPatchIsCutAsIfAlone) {
 TEST(Tessellate, FewTrianglesForItsPromise) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         for (const double flatness : {1.0, 0.3, 0.1}) {
-            const Patch patch = random_patch(seed, 1, flatness);
+            const Patch patch = random_patch_from_corner(seed, 1, flatness);
             for (const double tolerance : {1e-1, 3e-2, 1e-2}) {
                 const std::size_t triangles = tessellate(patch, tolerance)->faces.size();
                 UniformGrids grids(bezier_net(patch).patch(0, 0), tolerance);
@@ -85,8 +86,8 @@ TEST(Tessellate, FewTrianglesForItsPromise) {
 }
 
 TEST(Tessellate, NeighboursOfDifferentTolerancesHaveOneBorder) {
-    const Patch first = random_patch(1, 1, 1);
-    Patch second = random_patch(2, 1, 1);
+    const Patch first = random_patch_from_corner(1, 1, 1);
+    Patch second = random_patch_from_corner(2, 1, 1);
     for (Vec3d& p : second.control) p.z += 1;
     for (std::size_t i = 0; i < 4; ++i) second.control[i] = first.control[12 + i];
     std::ranges::reverse(second.control);
@@ -204,7 +205,7 @@ TEST(Tessellate, NormalsAreFiniteWhateverControlPointsCoincide) {
     std::mt19937 generator(8);
     std::uniform_int_distribution<int> which(0, 15);
     for (int round = 0; round < 300; ++round) {
-        Patch patch = random_patch(static_cast<unsigned>(round), 1, 1);
+        Patch patch = random_patch_from_corner(static_cast<unsigned>(round), 1, 1);
         for (int k = 0; k < round % 12; ++k) {
             patch.control[static_cast<std::size_t>(which(generator))] =
                 patch.control[static_cast<std::size_t>(which(generator))];
@@ -227,8 +228,8 @@ TEST(Tessellate, AFlatPatchIsTwoTrianglesAndAPointIsNothing) {
 }
 
 TEST(Tessellate, TooManyTrianglesAreRefusedBeforeTheyAreMade) {
-    EXPECT_FALSE(tessellate(random_patch(1, 1, 1), 1e-12));
-    EXPECT_FALSE(tessellate(random_patch(1, 1, 1), 1e-300));
+    EXPECT_FALSE(tessellate(random_patch_from_corner(1, 1, 1), 1e-12));
+    EXPECT_FALSE(tessellate(random_patch_from_corner(1, 1, 1), 1e-300));
     // All points on a line: no normal anywhere.
     Patch line;
     line.control.assign(16, Vec3d(0));
@@ -254,7 +255,7 @@ TEST(Tessellate, WildPatchesTakeFiniteTimeAndKeepTheirPromise) {
         std::mt19937 generator(seed);
         std::uniform_real_distribution<double> place(-1, 1);
         std::uniform_int_distribution<std::size_t> which(0, 15);
-        Patch patch = random_patch(seed, 1, 1);
+        Patch patch = random_patch_from_corner(seed, 1, 1);
         auto& c = patch.control;
         for (std::size_t k = 0; k < 16; ++k) {
             if (seed % 4 == 0) c[k] = {place(generator), place(generator), place(generator)};

@@ -6,6 +6,7 @@
 #include "model/io/file.h"
 #include "parser/parse.h"
 #include "tests/tracer/splines/fewest_grid.h"
+#include "tests/tracer/splines/random_patch.h"
 #include "tracer/tessellation/tessellate.h"
 
 namespace lancer::splines {
@@ -46,7 +47,7 @@ TEST_P(Tolerance, RandomPatchesAreWithinItAtAnyScale) {
     double worst = 0;
     for (unsigned seed = 0; seed < 4; ++seed) {
         for (const double factor : {1.0, 1e9, 1e-9}) {
-            const Patch patch = random_patch(seed, factor, seed % 2 == 0 ? 1 : 0.1);
+            const Patch patch = random_patch_from_corner(seed, factor, seed % 2 == 0 ? 1 : 0.1);
             const double share = worst_share(patch, GetParam() * factor);
             EXPECT_LE(share, 1) << seed << " " << factor;
             worst = std::max(worst, share);
@@ -78,8 +79,8 @@ TEST_P(Tolerance, TakesAtMostTwiceTheTrianglesOfTheCoarsestUniformGrid) {
         look(patches[i], GetParam(), "teapot " + std::to_string(i));
     for (unsigned seed = 0; seed < (GetParam() < 1e-3 ? 2 : 6); ++seed) {
         for (const double factor : {1.0, 1e9, 1e-9}) {
-            look(random_patch(seed, factor, seed % 2 == 0 ? 1 : 0.1), GetParam() * factor,
-                 "random " + std::to_string(seed));
+            look(random_patch_from_corner(seed, factor, seed % 2 == 0 ? 1 : 0.1),
+                 GetParam() * factor, "random " + std::to_string(seed));
         }
     }
     EXPECT_GT(worst, 0.8);  // otherwise the grids are judged too severely
