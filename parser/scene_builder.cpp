@@ -1,5 +1,6 @@
 #include "parser/scene_builder.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -53,7 +54,11 @@ std::uint32_t SceneBuilder::transform_index(const Transform& exact, const Source
         return 0;
     }
     if (rounded == scene.transforms.front()) return 0;
-    if (rounded != scene.transforms.back()) scene.transforms.push_back(rounded);
+    Affine<double>& last = scene.transforms.back();
+    if (rounded == last)
+        last.shift_error = std::max(last.shift_error, rounded.shift_error);
+    else
+        scene.transforms.push_back(rounded);
     return static_cast<std::uint32_t>(scene.transforms.size() - 1);
 }
 

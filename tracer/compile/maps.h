@@ -63,36 +63,28 @@ Frame<Real> make_frame(const Affine<Real>& map) {
     frame.linear_inverse = convert<Real>(inverse(linear));
     frame.linear_inverse.shift = Vec3<Real>(0);
     frame.norm = row_sum(map);
-    // A shift alone is exact; a shift that was composed with rotations and scales is rounded.
-    Affine<Real> unshifted = map;
-    unshifted.shift = Vec3<Real>(0);
-    frame.keeps_digits = is_scale_by_two(unshifted);
-    if (!frame.keeps_digits)
-        frame.transform_error = gamma<Real>(4) * max_component(absolute(map.shift));
+    frame.keeps_digits = is_scale_by_two(map);
+    frame.transform_error = map.shift_error;
     frame.inverse_norm = row_sum(frame.linear_inverse);
     return frame;
 }
 
-/// A bound on how far rounding moves these points when they are mapped. For a shift, alone or with
-/// a scale by a power of two, it is the rounding error of the sums. For other maps it covers the
-/// rounding of the map's own numbers and of the 4 operations per component.
+/// How far rounding may have moved these points: as far as the map's own rounded numbers and the
+/// operations on them allow, and what the last sum loses; not at all where digits are only moved. A
+/// shift that changes no digit adds nothing.
 template <class Real>
 Real moved_by(const Affine<Real>& map, std::initializer_list<Vec3<Real>> points) {
-    const bool only_shift = is_scale_by_two(map);
     Real most = 0;
     for (const Vec3<Real>& p : points) {
         for (int i = 0; i < 3; ++i) {
             using std::abs;
-            const Real lost =
-                only_shift
-                    ? abs(two_sum(map.shift[i], map.rows[0].x * p[i]).lo)
-                    : gamma<Real>(8) *
-                          (dot(absolute(map.rows[static_cast<std::size_t>(i)]), absolute(p)) +
-                           abs(map.shift[i]));
+            const Vec3<Real>& row = map.rows[static_cast<std::size_t>(i)];
+            Real lost = abs(two_sum(map.shift[i], dot(row, p)).lo);
+            if (!keeps_digits(row)) lost += gamma<Real>(8) * dot(absolute(row), absolute(p));
             if (lost > most) most = lost;
         }
     }
-    return most;
+    return most + map.shift_error;
 }
 
 }  // namespace lancer

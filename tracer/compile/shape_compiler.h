@@ -72,11 +72,12 @@ class ShapeCompiler {
   private:
     /// The map from the shape's scaled space to the world's.
     Affine<Real> scaled_map(const Affine<double>& m, int own) const {
-        Affine<Real> map;
+        Affine<double> in_world;
         for (std::size_t i = 0; i < 3; ++i)
-            map.rows[i] = convert<Real>(scaled(m.rows[i], world_.scale_exponent - own));
-        map.shift = convert<Real>(scaled(m.shift, world_.scale_exponent));
-        return map;
+            in_world.rows[i] = scaled(m.rows[i], world_.scale_exponent - own);
+        in_world.shift = scaled(m.shift, world_.scale_exponent);
+        in_world.shift_error = std::ldexp(m.shift_error, world_.scale_exponent);
+        return convert<Real>(in_world);
     }
 
     void add_frame(const Affine<Real>& map, Primitive<Real>& p) {
