@@ -58,8 +58,8 @@ class SceneDigest {
     }
 
     void add(const Affine<double>& s) {
-        const auto& [rows, shift] = s;
-        all(rows, shift);
+        const auto& [rows, shift, shift_error] = s;
+        all(rows, shift, shift_error);
     }
     void add(const OneShape auto& shape) {
         fields(shape, [this](std::string_view, const auto& value) { this->add(value); });
