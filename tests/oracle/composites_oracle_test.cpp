@@ -272,6 +272,8 @@ TEST_F(CompositeOracle, LinesAreInsideWhereTheyAre) {
     int wrong = 0;
     int turned_wrong = 0;
     int turned = 0;
+    int left = 0;
+    int came_back = 0;
     for (unsigned seed = 1; seed <= 500; ++seed) {
         Lottery lottery(seed);
         const Composite composite = lottery.tree();
@@ -310,6 +312,9 @@ TEST_F(CompositeOracle, LinesAreInsideWhereTheyAre) {
                 const Told rest = crossings_of(*tree, next, {&start, index, {}});
                 if (!is_right(after, rest, beyond, after.holds(beyond), 4 * s.error / steep))
                     ++turned_wrong;
+                if (left_for_good(s, next.dir) == none) continue;
+                ++left;
+                if (!rest.hits.empty()) ++came_back;
             }
         }
     }
@@ -317,6 +322,8 @@ TEST_F(CompositeOracle, LinesAreInsideWhereTheyAre) {
     EXPECT_EQ(turned_wrong, 0) << "of " << turned;
     EXPECT_GT(judged, 8000);
     EXPECT_GT(turned, 2000);
+    EXPECT_EQ(came_back, 0) << "of " << left;
+    EXPECT_GT(left, 150);
     EXPECT_LT(unfair, judged / 20);
 }
 

@@ -95,6 +95,7 @@ class CompositeCompiler {
         leaf.link = link_of(place);
         leaf.first_face = static_cast<std::uint32_t>(faces_);
         leaf.subtracted = is_subtracted(place);
+        leaf.around = is_around(place);
         faces_ += std::visit(FaceCount<Real>{}, primitive.solid);
         tree_.leaves.push_back(leaf);
     }
@@ -136,6 +137,17 @@ class CompositeCompiler {
         for (; place.parent != none; place = from_.nodes[place.parent].place)
             subtracted ^= link_of(place).weight == 2;
         return subtracted;
+    }
+
+    /// Whether the whole contains no point that is outside of the leaf: there are no unions above
+    /// it, and it is never taken away.
+    bool is_around(Composite::Place place) const {
+        for (; place.parent != none; place = from_.nodes[place.parent].place) {
+            const Composite::Kind kind = from_.nodes[place.parent].kind;
+            if (kind == Composite::Kind::unite) return false;
+            if (kind == Composite::Kind::subtract && !place.first) return false;
+        }
+        return true;
     }
 
     void add_nodes() {

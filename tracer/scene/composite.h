@@ -39,6 +39,7 @@ struct CompositeLeaf {
     CompositeLink link;
     std::uint32_t first_face = 0;  ///< number of its first face among the faces of the whole
     bool subtracted = false;  ///< the leaf is taken away: its outside is the inside of the whole
+    bool around = false;      ///< the whole lies in the leaf
 };
 
 template <class Real>

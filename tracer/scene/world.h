@@ -47,6 +47,7 @@ struct FaceOwner {
     const Primitive<Real>* primitive;  ///< the primitive itself, or a leaf of a composite
     std::uint32_t face;                ///< number of the face in the owner's shape
     bool turned;                       ///< the owner's outside is the primitive's inside
+    bool around;                       ///< the primitive lies in the owner
 };
 
 template <class Real>
@@ -74,10 +75,10 @@ struct Primitive {
     }
     FaceOwner<Real> owner_of(std::uint32_t of_whole) const {
         const CompositeTree<Real>* tree = composite();
-        if (tree == nullptr) return {this, of_whole, false};
+        if (tree == nullptr) return {this, of_whole, false, true};
         const std::uint32_t number = of_whole & ~hidden_face;
         const CompositeLeaf<Real>& leaf = tree->leaves[tree->leaf_of(number)];
-        return {&leaf.primitive, number - leaf.first_face, leaf.subtracted};
+        return {&leaf.primitive, number - leaf.first_face, leaf.subtracted, leaf.around};
     }
 };
 

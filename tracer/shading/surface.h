@@ -98,6 +98,18 @@ void set_position(Surface<Real>& s, const DoubleWordVector<Real>& place, const V
     s.position_lo = sum.lo;
 }
 
+/// Whether a line that leaves the primitive there cannot meet it again.
+///
+/// The whole of a composite may lie in one convex leaf: what leaves that leaf leaves the whole.
+/// Transparent bodies do not use this, because their list of bodies needs all crossings at an edge.
+template <class Real>
+bool is_outermost(const Primitive<Real>& whole, const FaceOwner<Real>& owner,
+                  const SurfacePoint<Real>& point) {
+    if (owner.primitive == &whole) return point.outermost;
+    const bool opaque = !whole.medium && !whole.transmissive;
+    return opaque && owner.around && (point.outermost || traits_of(owner.primitive->solid).convex);
+}
+
 template <class Real>
 Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, Hit<Real> hit) {
     Surface<Real> s;
@@ -133,7 +145,7 @@ Surface<Real> make_surface(const World<Real>& world, const Ray<Real>& ray, Hit<R
                        : unit(map_transposed(frame.linear_inverse, local.shading));
     }
     if (owner.turned) s.geometric = -s.geometric;
-    s.outermost = local.outermost && s.primitive == owner.primitive;
+    s.outermost = is_outermost(*s.primitive, owner, local);
     if (dot(s.normal, ray.dir) > 0) s.normal = -s.normal;
     set_color(world, owner, local, s);
     return s;
