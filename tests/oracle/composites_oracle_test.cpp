@@ -159,6 +159,11 @@ class Lottery {
         add_node(made, none, false, 0);
         return made;
     }
+    /// A tree of wide slabs, whose faces lie at 0 and 1, or off by some units in the last place.
+    Composite slabs() {
+        slabs_ = true;
+        return tree();
+    }
     Vec3d direction() {
         if (pick(4) == 0) {
             Vec3d along(0);
@@ -187,7 +192,22 @@ class Lottery {
         made.nodes[index].end = static_cast<std::uint32_t>(made.leaves.size());
     }
 
+    /// Near 0 or 1, higher than `than`.
+    double height(double than) {
+        const double unit = 0x1p-53;
+        const double made = pick(2) + (pick(7) - 3) * unit;
+        return made > than ? made : than + (1 + pick(3)) * 2 * unit;
+    }
+    Shape slab_shape() {
+        const double low = height(-1);
+        const double high = height(low);
+        const double wide = 100;
+        if (pick(4) == 0) return Plane{{0, pick(2) == 0 ? 1.0 : -1.0, 0}, 0};
+        if (pick(2) == 0) return Cylinder{{0, low, 0}, {0, high, 0}, wide};
+        return Box{{-wide, low, -wide}, {wide, high, wide}};
+    }
     Shape shape() {
+        if (slabs_) return slab_shape();
         const Vec3d at(grid(), grid(), grid());
         const double size = (1 + pick(4)) / 4.0;
         switch (pick(5)) {
@@ -206,6 +226,7 @@ class Lottery {
     }
 
     std::mt19937 random_;
+    bool slabs_ = false;
 };
 
 Scene scene_of(const Composite& composite) {
@@ -325,6 +346,35 @@ TEST_F(CompositeOracle, LinesAreInsideWhereTheyAre) {
     EXPECT_EQ(came_back, 0) << "of " << left;
     EXPECT_GT(left, 150);
     EXPECT_LT(unfair, judged / 20);
+}
+
+/// Much thinner than the rounding of distances.
+TEST_F(CompositeOracle, ParallelFacesAreInOrder) {
+    int wrong = 0;
+    int thin = 0;
+    for (unsigned seed = 1; seed <= 500; ++seed) {
+        Lottery lottery(seed);
+        const Composite composite = lottery.slabs();
+        const Scene scene = scene_of(composite);
+        const auto world = compile_world<double>(scene, scene.settings);
+        std::uint32_t index = 0;
+        const CompositeTree<double>* tree = tree_of(*world, index);
+        if (tree == nullptr) continue;
+        const double unit = std::ldexp(1.0, world->scale_exponent);
+        for (int i = 0; i < 10; ++i) {
+            const Vec3d from(lottery.any(), 4 + lottery.any(), lottery.any());
+            const Vec3d dir = normalize(Vec3d(lottery.any(), -1.5, lottery.any()));
+            const double side = lottery.pick(2) == 0 ? unit : -unit;
+            const Ray<double> ray = make_ray(side * from, Vec3d(0), (side / unit) * dir, 0.0);
+            const Judge judge(composite, line_of(ray, world->scale_exponent));
+            ++judged;
+            if (judge.is_unfair(-endless)) ++thin;
+            const Told told = crossings_of(*tree, ray, {nullptr, index, {}});
+            if (!is_right(judge, told, -1e29, judge.holds(-1e29), 0)) ++wrong;
+        }
+    }
+    EXPECT_EQ(wrong, 0) << "of " << judged;
+    EXPECT_GT(thin, 2000);
 }
 
 }  // namespace

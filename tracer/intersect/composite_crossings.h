@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tracer/intersect/composite_events.h"
+#include "tracer/intersect/face_planes.h"
 
 namespace lancer {
 
@@ -18,8 +19,9 @@ struct CompositeStart {
 /// The crossings of one ray with one composite.
 ///
 /// Crossings of leaves whose error bounds overlap happen at once, like a contact of several
-/// objects. The crossings beyond a point decide whether a leaf contains the point. So the walk goes
-/// from the far end of the line back to the start.
+/// objects, unless their faces are parallel and certainly apart (face_planes.h). The crossings
+/// beyond a point decide whether a leaf contains the point. So the walk goes from the far end of
+/// the line back to the start.
 template <class Real>
 class CompositeWalk {
   public:
@@ -123,9 +125,48 @@ class CompositeWalk {
                 std::rotate(at(end), at(i), at(i + 1));
                 ++end;
             }
-            contacts_.push_back({begin, end});
+            add_contact({begin, end});
             begin = end;
         }
+    }
+
+    /// Adds a contact, or several where all its faces are parallel and lie apart: then their planes
+    /// tell the order of the crossings, however thin what is between them.
+    void add_contact(const Range& range) {
+        const std::optional<int> axis = common_axis(range);
+        if (!axis) return contacts_.push_back(range);
+        const bool up = ray_.dir[*axis] > 0;
+        const auto begin = events_.begin() + static_cast<std::ptrdiff_t>(range.begin);
+        const auto end = events_.begin() + static_cast<std::ptrdiff_t>(range.end);
+        std::sort(begin, end, [&](const Event& a, const Event& b) {
+            const Real at_a = plane_of(a)->at;
+            const Real at_b = plane_of(b)->at;
+            return at_a != at_b ? (at_a < at_b) == up : before(a, b);
+        });
+        for (std::size_t i = range.begin; i < range.end;) {
+            std::size_t next = i + 1;
+            while (next < range.end && plane_of(events_[next])->at == plane_of(events_[i])->at)
+                ++next;
+            contacts_.push_back({i, next});
+            i = next;
+        }
+    }
+
+    std::optional<FacePlane<Real>> plane_of(const Event& e) const {
+        return plane_of_face(tree_.leaves[e.leaf].primitive, e.face);
+    }
+
+    /// The axis that all faces of a contact of several events are perpendicular to, if there is
+    /// one.
+    std::optional<int> common_axis(const Range& range) const {
+        if (range.end - range.begin < 2) return std::nullopt;
+        std::optional<int> axis;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const std::optional<FacePlane<Real>> plane = plane_of(events_[i]);
+            if (!plane || plane->axis != axis.value_or(plane->axis)) return std::nullopt;
+            axis = plane->axis;
+        }
+        return axis;
     }
 
     /// Undoes a contact. Returns the change of the whole, if there is one.
