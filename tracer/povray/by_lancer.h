@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "tracer/intersect/media.h"
 #include "tracer/rays/trace_limits.h"
@@ -28,6 +29,12 @@ class ByLancer {
     Real nearest_hit(const Ray<Real>& ray) const { return off_the_surface(ray); }
     Real nearest_shadow(const Ray<Real>& ray) const { return off_the_surface(ray); }
     Real farthest_hit() const { return std::numeric_limits<Real>::infinity(); }
+    /// See first_hit().
+    const std::optional<SurfaceId>& entered() const { return entered_; }
+
+    /// The ray reaches the surface. What starts there on the ray's own side is inside of a body
+    /// that the ray would leave.
+    void reach(const Surface<Real>& s) { stand_on(s, !s.id.entering); }
 
     // --- Which rays are followed
 
@@ -56,6 +63,7 @@ class ByLancer {
             toggle(bending_, s.id.primitive);
             toggle(absorbing_, s.id.primitive);
         }
+        stand_on(s, s.id.entering);
         return before / index(world);
     }
 
@@ -95,6 +103,7 @@ class ByLancer {
     }
     void pass_in_shadow(const Surface<Real>& s) {
         if (s.primitive->medium) toggle(absorbing_, s.id.primitive);
+        stand_on(s, s.id.entering);
     }
 
     // --- Fresnel reflectance
@@ -110,6 +119,9 @@ class ByLancer {
     Real off_the_surface(const Ray<Real>& ray) const {
         return Real(1e-8L) * unit_ + 1000 * ray.origin_error;
     }
+    void stand_on(const Surface<Real>& s, bool inside) {
+        entered_ = s.primitive->body && inside ? std::optional(s.id) : std::nullopt;
+    }
     /// The refractive index of the body that was entered last.
     Real index(const World<Real>& world) const {
         const Finish<Real>* medium = medium_of(world, bending_);
@@ -118,6 +130,7 @@ class ByLancer {
 
     MediaList bending_;    ///< bodies that the ray has entered and not yet left, for refraction
     MediaList absorbing_;  ///< bodies that contain it by the sides of surfaces, for absorption
+    std::optional<SurfaceId> entered_;  ///< the surface that it starts on, inside of its body
     Real unit_;
 };
 

@@ -29,6 +29,9 @@ class ByPovRay {
     /// Surfaces near either end cast no shadow.
     Real nearest_shadow(const Ray<Real>& /*ray*/) const { return Real(1e-3L) * unit_; }
     Real farthest_hit() const { return Real(1e7L) * unit_; }
+    /// Nothing: the distances hold for the other faces of a thin body, too.
+    static std::optional<SurfaceId> entered() { return std::nullopt; }
+    void reach(const Surface<Real>& /*s*/) {}
 
     // --- Which rays are followed
 

@@ -13,31 +13,48 @@ namespace lancer {
 
 /// The first surface between two parameters of the ray. Of several in one place it is the one
 /// declared first; POV-Ray guarantees no order.
+///
+/// \param entered  the surface that the ray starts on and enters a body by. The ray meets another
+///                 face of that body by which it leaves however near it is: the body may have no
+///                 thickness
 template <class Real>
 std::optional<Hit<Real>> first_hit(const World<Real>& world, const Ray<Real>& ray, Real first,
-                                   Real last, Shadows shadows) {
+                                   Real last, Shadows shadows,
+                                   const std::optional<SurfaceId>& entered = std::nullopt) {
     std::optional<Hit<Real>> nearest;
     const auto limit = [&] { return nearest ? nearest->t : last; };
-    const RayInterval<Real, decltype(limit)> interval{first, limit};
     const auto object = [&](std::uint32_t index) { return world.primitives[index].object; };
+    // A body without thickness is entered before it is left.
+    const auto is_later = [&](std::uint32_t index, const Crossing<Real>& c,
+                              const SurfaceId& other) {
+        if (index == other.primitive) return other.entering && !c.entering;
+        return object(index) > object(other.primitive);
+    };
     const auto visit = [&](std::uint32_t index) {
         const Primitive<Real>& p = world.primitives[index];
         if (shadows == Shadows::cast && !p.casts_shadow) return false;
+        const bool inside = entered && entered->primitive == index;
+        const auto is_exit = [&](const Crossing<Real>& c) {
+            return inside && !c.entering && c.face != entered->face;
+        };
+        // Within `first` of the start, on either side: where a crossing at 0 is rounded to.
+        const Real from = inside ? -first : first;
+        const RayInterval<Real, decltype(limit)> interval{from, limit};
         primitive_crossings(
             world, p, ray, IntersectionHints{}, interval,
             [&](const Crossing<Real>& c, Real u, Real v) {
-                if (!(c.t >= first) || !(c.t <= limit())) return false;
-                if (nearest && c.t == nearest->t &&
-                    object(index) > object(nearest->surface.primitive))
+                if (!(c.t >= (is_exit(c) ? from : first)) || !(c.t <= limit())) return false;
+                if (nearest && c.t == nearest->t && is_later(index, c, nearest->surface))
                     return false;
                 nearest = Hit<Real>{c.t, c.error, {index, c.face, c.entering}, u, v};
                 return false;
             });
         return false;
     };
+    if (entered) visit(entered->primitive);
     const auto end = static_cast<std::uint32_t>(world.primitives.size());
     for (std::uint32_t i = world.planes; i < end; ++i) visit(i);
-    candidates(world, ray, interval, visit);
+    candidates(world, ray, RayInterval<Real, decltype(limit)>{first, limit}, visit);
     return nearest;
 }
 

@@ -25,7 +25,7 @@ Vec3<Real> light_through(const World<Real>& world, Ray<Real> ray, Real distance,
     while (max_component(light) > 0) {
         const Real gap = around.nearest_shadow(ray);
         const Real last = std::min(distance - gap, around.farthest_hit());
-        const auto hit = first_hit(world, ray, gap, last, Shadows::cast);
+        const auto hit = first_hit(world, ray, gap, last, Shadows::cast, around.entered());
         if (!hit) break;
         const Surface<Real> s = make_surface(world, ray, *hit);
         light = light * s.transmittance * around.left_after(world, hit->t) *
@@ -73,8 +73,9 @@ class SecondTracer {
         for (int in_line = 0; in_line < max_surfaces_in_line; ++in_line) {
             if (weight < static_cast<Real>(limits_.min_contribution)) break;
             if (!Rules::is_depth_asked(depth, limits_.max_depth, straight)) break;
-            const auto hit = first_hit(world_, ray, start + around.nearest_hit(ray),
-                                       start + around.farthest_hit(), Shadows::ignore);
+            const auto hit =
+                first_hit(world_, ray, start + around.nearest_hit(ray),
+                          start + around.farthest_hit(), Shadows::ignore, around.entered());
             if (!hit) {
                 lighting_.note(none);
                 return result + through * around.left_after(world_, unbounded) *
@@ -86,6 +87,7 @@ class SecondTracer {
             lighting_.note(event_of(s));
             through = through * around.left_after(world_, way);
 
+            around.reach(s);
             Rules after = around;
             const Real ratio = after.cross(world_, s);
             Vec3<Real> mirror = s.finish->reflection;
