@@ -10,8 +10,7 @@ namespace lancer::judge {
 namespace {
 
 constexpr double least_gain = 0.97;           // a knob must reduce the rays to this share
-constexpr double least_time = 0.9;            // or the time, when it saves no rays
-constexpr double faster = 0.8;                // the share then assumed for the time
+constexpr double faster = 0.8;                // or the time, when it saves no rays
 constexpr double worst_square = 0.05 * 0.05;  // the largest squared error of interest
 
 struct Candidate {
@@ -22,7 +21,8 @@ struct Candidate {
 
 /// The cost as a share of the base's. When a knob saves rays, their numbers give it without the
 /// noise of the clock. When it saves only time, the clock decides whether it does, but not how
-/// much: its noise would otherwise choose other combinations in each run.
+/// much: its noise would otherwise choose other combinations in each run. Few knobs save about a
+/// fifth, so noise rarely decides.
 double share_of_cost(const KnobEffect& e, const KnobEffect& base) {
     switch (e.setting.knob) {
         case Knob::max_depth:
@@ -30,7 +30,7 @@ double share_of_cost(const KnobEffect& e, const KnobEffect& base) {
         case Knob::shadows:
             return e.rays / base.rays;
         default:
-            return e.time < least_time ? faster : 1;
+            return e.time < faster ? faster : 1;
     }
 }
 
