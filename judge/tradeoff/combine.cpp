@@ -10,7 +10,7 @@ namespace lancer::judge {
 namespace {
 
 constexpr double least_gain = 0.97;           // a knob must reduce the rays to this share
-constexpr double faster = 0.8;                // or the time, when it saves no rays
+constexpr double faster = 0.8;                // or the time to this one, which is then assumed
 constexpr double worst_square = 0.05 * 0.05;  // the largest squared error of interest
 
 struct Candidate {

@@ -239,33 +239,49 @@ Scene scene_of(const Composite& composite) {
     return scene;
 }
 
-const CompositeTree<double>* tree_of(const World<double>& world, std::uint32_t& index) {
-    for (index = 0; index < world.primitives.size(); ++index)
-        if (const auto* tree = world.primitives[index].composite()) return tree;
-    return nullptr;
-}
-
-Line line_of(const Ray<double>& ray, int exponent) {
-    const Exact unit = std::ldexp(1.0, -exponent);
-    return {unit * (exact(ray.origin) + exact(ray.origin_lo)), unit * exact(ray.dir)};
-}
-
-/// The crossings that the tracer reported, and a start on the last of them.
+/// The crossings that the tracer reported.
 struct Told {
     std::vector<Crossing<double>> crossings;
     std::vector<Hit<double>> hits;
 };
-Told crossings_of(const CompositeTree<double>& tree, const Ray<double>& ray,
-                  const CompositeStart<double>& known) {
-    Told told;
-    const CompositeWalk<double> walk(tree, ray, known);
-    walk.tell(whole_line<double>(), [&](const Crossing<double>& c, double u, double v) {
-        told.hits.push_back({c.t, c.error, {known.primitive, c.face, c.entering}, u, v});
-        if ((c.face & hidden_face) == 0) told.crossings.push_back(c);
-        return false;
-    });
-    return told;
-}
+
+/// A composite as the tracer and the judge have it.
+class Body {
+  public:
+    explicit Body(Composite made)
+        : composite(std::move(made)),
+          scene(scene_of(composite)),
+          world(compile_world<double>(scene, scene.settings)) {
+        for (index = 0; index < world->primitives.size(); ++index)
+            if ((tree = world->primitives[index].composite()) != nullptr) return;
+    }
+
+    /// The scene's unit of length in the world's.
+    double unit() const { return std::ldexp(1.0, world->scale_exponent); }
+
+    Judge judge(const Ray<double>& ray) const {
+        const Exact in_scene = std::ldexp(1.0, -world->scale_exponent);
+        return {composite, Line{in_scene * (exact(ray.origin) + exact(ray.origin_lo)),
+                                in_scene * exact(ray.dir)}};
+    }
+    Told crossings(const Ray<double>& ray, const Start<double>* start) const {
+        Told told;
+        const CompositeStart<double> known{start, index, {}};
+        const CompositeWalk<double> walk(*tree, ray, known);
+        walk.tell(whole_line<double>(), [&](const Crossing<double>& c, double u, double v) {
+            told.hits.push_back({c.t, c.error, {index, c.face, c.entering}, u, v});
+            if ((c.face & hidden_face) == 0) told.crossings.push_back(c);
+            return false;
+        });
+        return told;
+    }
+
+    const Composite composite;
+    const Scene scene;
+    const std::unique_ptr<const World<double>> world;
+    const CompositeTree<double>* tree = nullptr;  ///< null when nothing is left of the body
+    std::uint32_t index = 0;
+};
 
 class CompositeOracle : public testing::Test {
   protected:
@@ -297,32 +313,28 @@ TEST_F(CompositeOracle, LinesAreInsideWhereTheyAre) {
     int came_back = 0;
     for (unsigned seed = 1; seed <= 500; ++seed) {
         Lottery lottery(seed);
-        const Composite composite = lottery.tree();
-        const Scene scene = scene_of(composite);
-        const auto world = compile_world<double>(scene, scene.settings);
-        std::uint32_t index = 0;
-        const CompositeTree<double>* tree = tree_of(*world, index);
-        if (tree == nullptr) continue;  // nothing is left of the body
-        const double unit = std::ldexp(1.0, world->scale_exponent);
+        const Body body(lottery.tree());
+        if (body.tree == nullptr) continue;
         for (int i = 0; i < 40; ++i) {
             const Vec3d origin(lottery.grid() * 3, lottery.grid() * 3, lottery.grid() * 3);
-            const Ray<double> ray = make_ray(origin * unit, Vec3d(0), lottery.direction(), 0.0);
-            const Judge judge(composite, line_of(ray, world->scale_exponent));
+            const Ray<double> ray =
+                make_ray(origin * body.unit(), Vec3d(0), lottery.direction(), 0.0);
+            const Judge judge = body.judge(ray);
             if (judge.is_unfair(-endless)) {
                 ++unfair;
                 continue;
             }
             ++judged;
-            const Told told = crossings_of(*tree, ray, {nullptr, index, {}});
+            const Told told = body.crossings(ray, nullptr);
             const bool right = is_right(judge, told, -1e29, judge.holds(-1e29), 0);
             if (!right) ++wrong;
             // From each contact ahead a ray goes on in some direction.
             for (std::size_t k = 0; right && k < told.hits.size(); ++k) {
                 if (told.hits[k].t < 0) continue;
-                const Surface<double> s = make_surface(*world, ray, told.hits[k]);
+                const Surface<double> s = make_surface(*body.world, ray, told.hits[k]);
                 const Ray<double> next =
                     make_ray(s.position, s.position_lo, lottery.direction(), s.error);
-                const Judge after(composite, line_of(next, world->scale_exponent));
+                const Judge after = body.judge(next);
                 const double beyond = 1e-9;
                 const double steep = std::abs(lancer::dot(s.geometric, next.dir));
                 if (after.is_unfair(beyond) || steep < 1e-3) continue;
@@ -330,7 +342,7 @@ TEST_F(CompositeOracle, LinesAreInsideWhereTheyAre) {
                 for (const Hit<double>& hit : told.hits)
                     if (hit.t == told.hits[k].t) start.surfaces.push_back(hit.surface);
                 ++turned;
-                const Told rest = crossings_of(*tree, next, {&start, index, {}});
+                const Told rest = body.crossings(next, &start);
                 if (!is_right(after, rest, beyond, after.holds(beyond), 4 * s.error / steep))
                     ++turned_wrong;
                 if (left_for_good(s, next.dir) == none) continue;
@@ -354,22 +366,17 @@ TEST_F(CompositeOracle, ParallelFacesAreInOrder) {
     int thin = 0;
     for (unsigned seed = 1; seed <= 500; ++seed) {
         Lottery lottery(seed);
-        const Composite composite = lottery.slabs();
-        const Scene scene = scene_of(composite);
-        const auto world = compile_world<double>(scene, scene.settings);
-        std::uint32_t index = 0;
-        const CompositeTree<double>* tree = tree_of(*world, index);
-        if (tree == nullptr) continue;
-        const double unit = std::ldexp(1.0, world->scale_exponent);
+        const Body body(lottery.slabs());
+        if (body.tree == nullptr) continue;
         for (int i = 0; i < 10; ++i) {
             const Vec3d from(lottery.any(), 4 + lottery.any(), lottery.any());
             const Vec3d dir = normalize(Vec3d(lottery.any(), -1.5, lottery.any()));
-            const double side = lottery.pick(2) == 0 ? unit : -unit;
-            const Ray<double> ray = make_ray(side * from, Vec3d(0), (side / unit) * dir, 0.0);
-            const Judge judge(composite, line_of(ray, world->scale_exponent));
+            const double side = lottery.pick(2) == 0 ? 1 : -1;
+            const Ray<double> ray = make_ray(side * body.unit() * from, Vec3d(0), side * dir, 0.0);
+            const Judge judge = body.judge(ray);
             ++judged;
             if (judge.is_unfair(-endless)) ++thin;
-            const Told told = crossings_of(*tree, ray, {nullptr, index, {}});
+            const Told told = body.crossings(ray, nullptr);
             if (!is_right(judge, told, -1e29, judge.holds(-1e29), 0)) ++wrong;
         }
     }

@@ -12,17 +12,14 @@ namespace lancer {
 template <class Real>
 struct FacePlane {
     int axis;
-    Real at;  ///< exact: as the scene says
+    Real at;  ///< the solid's own number: no distance along a ray is in it
 };
 
 template <class Real>
 std::optional<FacePlane<Real>> plane_of_face(const BoxSolid<Real>& box, std::uint32_t face) {
     if (box.transform_error != 0) return std::nullopt;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (face == box_face(axis, false)) return FacePlane<Real>{axis, box.min[axis]};
-        if (face == box_face(axis, true)) return FacePlane<Real>{axis, box.max[axis]};
-    }
-    return std::nullopt;
+    const int axis = static_cast<int>(face / 2);
+    return FacePlane<Real>{axis, face == box_face(axis, true) ? box.max[axis] : box.min[axis]};
 }
 
 template <class Real>

@@ -20,9 +20,11 @@ namespace lancer {
 template <class Real>
 std::optional<Hit<Real>> first_hit(const World<Real>& world, const Ray<Real>& ray, Real first,
                                    Real last, Shadows shadows,
-                                   const std::optional<SurfaceId>& entered = std::nullopt) {
+                                   const std::optional<SurfaceId>& entered) {
     std::optional<Hit<Real>> nearest;
     const auto limit = [&] { return nearest ? nearest->t : last; };
+    // Rounding may have carried a crossing at 0 to either side of the start.
+    const RayInterval<Real, decltype(limit)> interval{entered ? -first : first, limit};
     const auto object = [&](std::uint32_t index) { return world.primitives[index].object; };
     // A body without thickness is entered before it is left.
     const auto is_later = [&](std::uint32_t index, const Crossing<Real>& c,
@@ -33,17 +35,14 @@ std::optional<Hit<Real>> first_hit(const World<Real>& world, const Ray<Real>& ra
     const auto visit = [&](std::uint32_t index) {
         const Primitive<Real>& p = world.primitives[index];
         if (shadows == Shadows::cast && !p.casts_shadow) return false;
-        const bool inside = entered && entered->primitive == index;
         const auto is_exit = [&](const Crossing<Real>& c) {
-            return inside && !c.entering && c.face != entered->face;
+            return entered && entered->primitive == index && !c.entering && c.face != entered->face;
         };
-        // Within `first` of the start, on either side: where a crossing at 0 is rounded to.
-        const Real from = inside ? -first : first;
-        const RayInterval<Real, decltype(limit)> interval{from, limit};
         primitive_crossings(
             world, p, ray, IntersectionHints{}, interval,
             [&](const Crossing<Real>& c, Real u, Real v) {
-                if (!(c.t >= (is_exit(c) ? from : first)) || !(c.t <= limit())) return false;
+                if (!(c.t >= (is_exit(c) ? interval.first : first)) || !(c.t <= limit()))
+                    return false;
                 if (nearest && c.t == nearest->t && is_later(index, c, nearest->surface))
                     return false;
                 nearest = Hit<Real>{c.t, c.error, {index, c.face, c.entering}, u, v};
@@ -51,10 +50,9 @@ std::optional<Hit<Real>> first_hit(const World<Real>& world, const Ray<Real>& ra
             });
         return false;
     };
-    if (entered) visit(entered->primitive);
     const auto end = static_cast<std::uint32_t>(world.primitives.size());
     for (std::uint32_t i = world.planes; i < end; ++i) visit(i);
-    candidates(world, ray, RayInterval<Real, decltype(limit)>{first, limit}, visit);
+    candidates(world, ray, interval, visit);
     return nearest;
 }
 
