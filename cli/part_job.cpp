@@ -14,10 +14,10 @@ io::PartHead head_of(const PartOf& part, const View& view, const io::Origin& ori
     io::PartHead head;
     head.number = part.number;
     head.count = part.count;
-    head.width = view.crop ? view.crop->width : view.width;
-    head.height = view.crop ? view.crop->height : view.height;
-    if (view.aov)
-        head.extra_names = {"object.id", "depth.Z", "normal.X", "normal.Y", "normal.Z", "shadow.Y"};
+    const Image form = form_of(view);
+    head.width = form.width;
+    head.height = form.height;
+    head.extra_names = form.extra_names;
     if (view.aov && by_error)
         head.extra_names.insert(head.extra_names.end(), {"error.Y", "samples.Z"});
     head.origin = origin;

@@ -16,6 +16,7 @@
 #include "cli/statistics.h"
 #include "cli/stopwatch.h"
 #include "model/io/file.h"
+#include "model/io/tiled_picture.h"
 #include "tracer/render.h"
 
 namespace lancer::cli {
@@ -59,23 +60,10 @@ class Rendering {
             part_by_error(scene, view, *head, output, begun);
         } else if (head) {
             part_as_set(scene, view, *head, output);
+        } else if (job_.error.any()) {
+            picture_by_error(scene, view, origin, output, begun);
         } else {
-            io::ImageWriteOptions written = job_.image;
-            Image image;
-            if (job_.error.any()) {
-                ErrorRun run = run_by_error(scene, view, std::nullopt, output, begun);
-                written.notes = error_notes(run.report);
-                image = std::move(run.image);
-            } else {
-                image = image_as_set(scene, view);
-            }
-            const Stopwatch watch;
-            if (origin) {
-                io::write_image(output, image, written, *origin);
-            } else {
-                io::write_image(output, image, written);
-            }
-            statistics_.write += watch.seconds();
+            picture_as_set(scene, view, origin, output);
         }
         late_ = late_ || (job_.error.seconds && is_late(begun.seconds(), *job_.error.seconds));
         ++statistics_.frames;
@@ -148,11 +136,14 @@ class Rendering {
     }
 
     /// Renders with the number of samples from the settings.
-    Image image_as_set(Scene& scene, const View& view) {
+    void picture_as_set(Scene& scene, const View& view, const std::optional<io::Origin>& origin,
+                        const std::string& output) {
         const std::unique_ptr<Renderer> renderer = built(scene);
         const Stopwatch watch;
         RayCounts rays;
-        Image image = renderer->render(view, shown(), rays);
+        io::TiledPicture picture(output, form_of(view), job_.image, origin);
+        const auto put = [&](int x, int y, const Image& tile) { picture.put(x, y, tile); };
+        renderer->render_tiles(view, put, shown(), rays);
         count(scene, *renderer, watch.seconds(), rays);
         if (job_.bound_cut || job_.settings.quality == Quality::exact) {
             const TraceLimits limits{scene.settings.max_depth, scene.settings.min_contribution};
@@ -160,7 +151,24 @@ class Rendering {
             statistics_.keep_larger(
                 accuracy::bound_of_cut(*renderer, scene, view, limits, points, shown()));
         }
-        return image;
+        const Stopwatch writing;
+        picture.write();
+        statistics_.write += writing.seconds();
+    }
+
+    /// The same with a target error.
+    void picture_by_error(const Scene& scene, const View& view,
+                          const std::optional<io::Origin>& origin, const std::string& output,
+                          const Stopwatch& begun) {
+        const ErrorRun run = run_by_error(scene, view, std::nullopt, output, begun);
+        io::ImageWriteOptions written = job_.image;
+        written.notes = error_notes(run.report);
+        const Stopwatch watch;
+        if (origin)
+            io::write_image(output, run.image, written, *origin);
+        else
+            io::write_image(output, run.image, written);
+        statistics_.write += watch.seconds();
     }
 
     /// The same for one part, written strip by strip.

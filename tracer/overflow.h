@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <string>
 
 #include "model/diagnostic.h"
@@ -15,15 +15,12 @@ namespace lancer {
 inline bool overflows(const double* pixel) {
     return !(std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]));
 }
-/// The index in the image of the tile's first pixel that overflows; the largest number if none
+/// The index of the tile's first pixel that overflows, in rows of the tile's width; nothing if none
 /// does.
-inline std::int64_t first_overflow(Image& image, const Crop& tile) {
-    for (int y = tile.y; y < tile.y + tile.height; ++y) {
-        for (int x = tile.x; x < tile.x + tile.width; ++x) {
-            if (overflows(image.pixel(x, y))) return std::int64_t(y) * image.width + x;
-        }
-    }
-    return std::numeric_limits<std::int64_t>::max();
+inline std::optional<int> first_overflow(const Image& tile) {
+    for (int i = 0; i < tile.width * tile.height; ++i)
+        if (overflows(tile.data.data() + std::ptrdiff_t(i) * tile.channels)) return i;
+    return std::nullopt;
 }
 [[noreturn]] inline void refuse_overflow(std::int64_t x, std::int64_t y) {
     throw SceneError({},

@@ -7,16 +7,15 @@
 
 #include "tracer/pixel_samples.h"
 #include "tracer/render.h"
-#include "tracer/tile_memory.h"
 #include "tracer/tile_pixels.h"
 #include "tracer/wide/wide_tracer.h"
 
 namespace lancer {
 
-/// Adds the light of all samples to the pixels of a tile of the image, which holds the crop of the
-/// picture.
-inline void add_samples(Image& image, const Crop& tile, WideTracer& tracer,
-                        const CameraFrame<double>& camera_frame, const View& view, const Crop& crop,
+/// Adds the light of all samples to the pixels of a tile, which begins at column left, row top of
+/// the whole picture.
+inline void add_samples(Image& tile, int left, int top, WideTracer& tracer,
+                        const CameraFrame<double>& camera_frame, const View& view,
                         const Settings& settings) {
     RayBatch batch;
     std::array<double*, RayBatch::most> pixel_of;
@@ -27,10 +26,9 @@ inline void add_samples(Image& image, const Crop& tile, WideTracer& tracer,
         }
         batch.count = 0;
     };
-    expect_memory(image, tile);
-    for_each_pixel(tile, [&](int x, int y) {
-        double* pixel = image.pixel(x, y);
-        for_each_sample<double>(settings, crop.x + x, crop.y + y, [&](double at_x, double at_y) {
+    for_each_pixel(tile.width, tile.height, [&](int x, int y) {
+        double* pixel = tile.pixel(x, y);
+        for_each_sample<double>(settings, left + x, top + y, [&](double at_x, double at_y) {
             const auto i = static_cast<std::size_t>(batch.count++);
             batch.x[i] = at_x;
             batch.y[i] = at_y;

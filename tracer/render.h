@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -45,6 +46,13 @@ struct PicturePoint {
     double y = 0;
 };
 
+/// An image without pixels that has the form of the picture.
+Image form_of(const View& view);
+
+/// Receives the finished tiles of a picture: their pixels, and where they begin in it. Called once
+/// for each tile, from several threads at once.
+using TakeTile = std::function<void(int x, int y, const Image& tile)>;
+
 /// Counts of a compiled scene.
 struct WorldCounts {
     std::uint64_t shapes = 0;
@@ -80,7 +88,12 @@ class Renderer {
     /// left out of the colours, and alpha is 1 minus the background's share, the mean over the
     /// channels. Background seen through glass counts, background in mirrors does not. Throws
     /// SceneError if light overflows the number type.
-    virtual Image render(const View& view, const Progress& progress, RayCounts& counts) const = 0;
+    Image render(const View& view, const Progress& progress, RayCounts& counts) const;
+
+    /// The same tile by tile, so that no picture need be held. If light overflows, all tiles come
+    /// before the exception.
+    virtual void render_tiles(const View& view, const TakeTile& take, const Progress& progress,
+                              RayCounts& counts) const = 0;
 
     /// Traces one ray through each of the points. colors[i] is the colour of points[i] in linear
     /// light. Its bits do not depend on the number of threads or on the other points. Large batches

@@ -40,12 +40,9 @@ class RendererOf final : public RayTreeRenderer {
           povray_unit_(ldexp(static_cast<Real>(by_povray.unit), world_->scale_exponent)),
           by_povray_(by_povray.followed) {}
 
-    Image render(const View& view, const Progress& progress, RayCounts& counts) const override {
+    void render_tiles(const View& view, const TakeTile& take, const Progress& progress,
+                      RayCounts& counts) const override {
         const Crop crop = view.crop.value_or(Crop{0, 0, view.width, view.height});
-        Image image(crop.width, crop.height, color_channels(view) + (view.aov ? aov_channels : 0));
-        if (view.aov)
-            image.extra_names = {"object.id", "depth.Z",  "normal.X",
-                                 "normal.Y",  "normal.Z", "shadow.Y"};
         const int across = (crop.width + tile_size - 1) / tile_size;
         const int down = (crop.height + tile_size - 1) / tile_size;
         const TileOrder order(across * down);
@@ -57,13 +54,18 @@ class RendererOf final : public RayTreeRenderer {
         for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
             const auto work = [&](auto& tracer) {
                 std::int64_t own_overflow = nowhere;
+                Image tile(tile_size, tile_size, form_of(view).channels);
                 for (int index = 0; next_task(index);) {
                     const int left = order[index] % across * tile_size;
                     const int top = order[index] / across * tile_size;
-                    const Crop tile{left, top, std::min(tile_size, crop.width - left),
-                                    std::min(tile_size, crop.height - top)};
-                    fill(image, tile, tracer, camera_frame, view, crop);
-                    own_overflow = std::min(own_overflow, first_overflow(image, tile));
+                    tile.width = std::min(tile_size, crop.width - left);
+                    tile.height = std::min(tile_size, crop.height - top);
+                    fill(tile, crop.x + left, crop.y + top, tracer, camera_frame, view);
+                    take(left, top, tile);
+                    if (const auto at = first_overflow(tile))
+                        own_overflow = std::min(
+                            own_overflow, std::int64_t(top + *at / tile.width) * crop.width + left +
+                                              *at % tile.width);
                 }
                 const std::lock_guard lock(merging);
                 counts += tracer.counts();
@@ -76,7 +78,6 @@ class RendererOf final : public RayTreeRenderer {
                 with_fastest_tracer(limits(), camera_frame, work);
         });
         if (overflow != nowhere) refuse_overflow(overflow % crop.width, overflow / crop.width);
-        return image;
     }
 
     void trace(const View& view, std::span<const PicturePoint> points, const TraceLimits& limits,
@@ -154,7 +155,6 @@ class RendererOf final : public RayTreeRenderer {
 
   private:
     static constexpr int aov_channels = 6;
-    static int color_channels(const View& view) { return view.alpha ? 4 : 3; }
     /// Rays go side by side only in double.
     static constexpr bool has_wide = std::is_same_v<Real, double>;
 
@@ -232,17 +232,17 @@ class RendererOf final : public RayTreeRenderer {
         pixel[3] = static_cast<double>(alpha);
     }
 
-    /// Fills a tile of the image, which contains the crop of the picture.
+    /// Fills a tile, which begins at column left, row top of the whole picture.
     template <class Tracer>
-    void fill(Image& image, const Crop& tile, Tracer& tracer, const CameraFrame<Real>& camera_frame,
-              const View& view, const Crop& crop) const {
+    void fill(Image& tile, int left, int top, Tracer& tracer, const CameraFrame<Real>& camera_frame,
+              const View& view) const {
         const int n = world_->settings.samples;
-        for (int y = tile.y; y < tile.y + tile.height; ++y) {
-            for (int x = tile.x; x < tile.x + tile.width; ++x) {
+        for (int y = 0; y < tile.height; ++y) {
+            for (int x = 0; x < tile.width; ++x) {
                 Vec3<Real> sum(0);
                 Vec3<Real> behind(0);
                 for_each_sample<Real>(
-                    world_->settings, crop.x + x, crop.y + y, [&](Real at_x, Real at_y) {
+                    world_->settings, left + x, top + y, [&](Real at_x, Real at_y) {
                         Vec3<Real> share(0);
                         if constexpr (requires { tracer.seen_through; })
                             tracer.seen_through = view.alpha ? &share : nullptr;
@@ -250,27 +250,28 @@ class RendererOf final : public RayTreeRenderer {
                         behind += share;
                     });
                 const Real count = n == 1 ? Real(1) : static_cast<Real>(n * n);
-                double* pixel = image.pixel(x, y);
+                double* pixel = tile.pixel(x, y);
                 if (view.alpha)
                     put_with_alpha(pixel, sum / count, behind / count);
                 else
                     put_mean(pixel, n == 1 ? sum : sum / count);
                 if (view.aov)
-                    fill_aov(pixel + color_channels(view), camera_frame, view, crop.x + x,
-                             crop.y + y);
+                    fill_aov(pixel + (view.alpha ? 4 : 3), camera_frame, view, left + x, top + y);
             }
         }
     }
 
-    /// The same, many rays at a time. The tile must be black before.
-    void fill(Image& image, const Crop& tile, WideTracer& tracer,
-              const CameraFrame<Real>& camera_frame, const View& view, const Crop& crop) const {
-        add_samples(image, tile, tracer, camera_frame, view, crop, world_->settings);
+    /// The same, many rays at a time.
+    void fill(Image& tile, int left, int top, WideTracer& tracer,
+              const CameraFrame<Real>& camera_frame, const View& view) const {
+        std::fill(tile.data.begin(), tile.data.end(), 0.0);
+        add_samples(tile, left, top, tracer, camera_frame, view, world_->settings);
         const int n = world_->settings.samples;
-        for_each_pixel(tile, [&](int x, int y) {
-            double* pixel = image.pixel(x, y);
+        if (n == 1 && !view.aov) return;
+        for_each_pixel(tile.width, tile.height, [&](int x, int y) {
+            double* pixel = tile.pixel(x, y);
             for (int c = 0; c < 3 && n > 1; ++c) pixel[c] /= n * n;
-            if (view.aov) fill_aov(pixel + 3, camera_frame, view, crop.x + x, crop.y + y);
+            if (view.aov) fill_aov(pixel + 3, camera_frame, view, left + x, top + y);
         });
     }
 

@@ -1,8 +1,6 @@
 // In which order a tile's pixels are taken.
 #pragma once
 
-#include "tracer/render.h"
-
 namespace lancer {
 
 /// Width and height of the tiles that threads are dealt.
@@ -22,10 +20,10 @@ constexpr TilePixel tile_pixel(int index) {
 
 /// Calls use(x, y) for the pixels of a tile in this order.
 template <class Use>
-void for_each_pixel(const Crop& tile, Use&& use) {
+void for_each_pixel(int width, int height, Use&& use) {
     for (int i = 0; i < tile_size * tile_size; ++i) {
         const auto [x, y] = tile_pixel(i);
-        if (x < tile.width && y < tile.height) use(tile.x + x, tile.y + y);
+        if (x < width && y < height) use(x, y);
     }
 }
 

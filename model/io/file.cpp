@@ -119,16 +119,31 @@ void write_atomically(const std::string& path,
     temporary.keep_as(target);
 }
 
-void write_file(const std::string& path, const std::string& bytes) {
+void write_pieces(const std::string& path, const std::function<void(const AddBytes& add)>& give) {
+    constexpr std::size_t most_waiting = std::size_t(1) << 20;
     refuse_folder(path);
+    std::string waiting;
     if (is_stream(path)) {
-        append_to(path, bytes);
+        give([&](std::string_view piece) { waiting += piece; });
+        append_to(path, waiting);
         return;
     }
     const std::string target = follow_links(path);
     TemporaryFile temporary(folder_of(target), ending_of(path), path);
-    write_all(temporary.descriptor(), bytes, path);
+    const auto flush = [&] {
+        write_all(temporary.descriptor(), waiting, path);
+        waiting.clear();
+    };
+    give([&](std::string_view piece) {
+        waiting += piece;
+        if (waiting.size() >= most_waiting) flush();
+    });
+    flush();
     temporary.keep_as(target);
+}
+
+void write_file(const std::string& path, const std::string& bytes) {
+    write_pieces(path, [&](const AddBytes& add) { add(bytes); });
 }
 
 }  // namespace lancer::io

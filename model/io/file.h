@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "model/io/row_functions.h"
+
 namespace lancer::io {
 
 /// Reads the bytes of a file; `-` is standard input. Throws FileError (with the system's reason)
@@ -25,6 +27,9 @@ std::string follow_links(std::string path);
 /// writable.
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary)>& write);
+
+/// write_atomically for bytes that come in pieces. A stream gets them when all have come.
+void write_pieces(const std::string& path, const std::function<void(const AddBytes& add)>& give);
 
 /// write_atomically for bytes in memory.
 void write_file(const std::string& path, const std::string& bytes);

@@ -12,6 +12,7 @@
 #include "model/io/picture_input.h"
 #include "model/io/png_file.h"
 #include "model/io/ppm_file.h"
+#include "model/io/row_encoder.h"
 
 namespace lancer::io {
 namespace {
@@ -47,6 +48,30 @@ std::string format_of_bytes(std::string_view bytes) {
     return {};
 }
 
+/// Gives the bytes of a file. Throws FileError.
+void encode_rows(const std::string& path, const StoredShape& shape, const RowOf& row,
+                 const ImageWriteOptions& options, const AddBytes& add) {
+    const std::string format = format_of_name(path);
+    if (format == "png")
+        encode_png(shape, options, path, row, add);
+    else if (format == "ppm")
+        encode_ppm(shape, row, add);
+    else
+        add(encode_apart(shape, row, format, path));
+}
+
+void refuse_problems(const std::string& path, const Image& like) {
+    if (like.width < 1 || like.height < 1 || like.channels < 1) {
+        throw FileError(fmt::format("cannot write '{}': the picture has no pixels", path));
+    }
+    if (!is_writable_image_name(path)) {
+        throw FileError(
+            fmt::format("cannot write '{}': the name of a picture must end in .png .exr .hdr .tif "
+                        ".tiff .jpg .jpeg or .ppm",
+                        path));
+    }
+}
+
 }  // namespace
 
 std::string format_of_name(const std::string& path) {
@@ -58,23 +83,29 @@ bool is_writable_image_name(const std::string& path) {
     return !format_of_name(path).empty();
 }
 
+std::string encode_image(const std::string& path, const StoredShape& shape, const RowOf& row,
+                         const ImageWriteOptions& options) {
+    std::string bytes;
+    encode_rows(path, shape, row, options, [&](std::string_view piece) { bytes += piece; });
+    return bytes;
+}
+
 std::string encode_image(const std::string& path, const Image& image,
                          const ImageWriteOptions& options) {
-    if (image.width < 1 || image.height < 1 || image.channels < 1) {
-        throw FileError(fmt::format("cannot write '{}': the picture has no pixels", path));
-    }
-    const std::string format = format_of_name(path);
-    if (format == "png") return encode_png(image, options, path);
-    if (format == "ppm") return encode_ppm(image, options);
-    if (!format.empty()) return encode_apart(image, format, path, options);
-    throw FileError(
-        fmt::format("cannot write '{}': the name of a picture must end in .png .exr .hdr .tif "
-                    ".tiff .jpg .jpeg or .ppm",
-                    path));
+    refuse_problems(path, image);
+    const RowEncoder encoder(image, format_of_name(path), options);
+    return encode_image(path, encoder.shape(), encoded_rows(encoder, image), options);
+}
+
+void write_image(const std::string& path, const StoredShape& shape, const RowOf& row,
+                 const ImageWriteOptions& options) {
+    write_pieces(path, [&](const AddBytes& add) { encode_rows(path, shape, row, options, add); });
 }
 
 void write_image(const std::string& path, const Image& image, const ImageWriteOptions& options) {
-    write_file(path, encode_image(path, image, options));
+    refuse_problems(path, image);
+    const RowEncoder encoder(image, format_of_name(path), options);
+    write_image(path, encoder.shape(), encoded_rows(encoder, image), options);
 }
 
 Image read_image(const std::string& path, ColorSpace space) {

@@ -4,8 +4,6 @@
 
 #include "model/diagnostic.h"
 #include "model/io/picture_process.h"
-#include "model/io/row_encoder.h"
-#include "model/io/stored_image.h"
 
 namespace lancer::io {
 namespace {
@@ -31,19 +29,13 @@ SharedResult worked(PictureTask task, const std::string& format, int input, int 
 
 }  // namespace
 
-std::string encode_apart(const Image& image, const std::string& format, const std::string& path,
-                         const ImageWriteOptions& options) {
-    const RowEncoder encoder(image, format, options);
+std::string encode_apart(const StoredShape& shape, const RowOf& row, const std::string& format,
+                         const std::string& path) {
     const SharedMemory input;
     const SharedMemory output;
     SharedSink sink(input.descriptor());
-    sink.shape(encoder.shape());
-    std::string row;
-    for (int y = 0; y < image.height; ++y) {
-        row.clear();
-        encoder.encode(image.pixel(0, y), row);
-        sink.bytes(row.data(), row.size());
-    }
+    sink.shape(shape);
+    for (int y = 0; y < shape.height; ++y) sink.bytes(row(y), shape.row_bytes());
     sink.finish("");
     const SharedResult result =
         worked(PictureTask::write, format, input.descriptor(), output.descriptor(), path);

@@ -5,6 +5,8 @@
 
 #include "model/image.h"
 #include "model/io/image_file.h"
+#include "model/io/row_functions.h"
+#include "model/io/stored_image.h"
 
 namespace lancer::io {
 
@@ -12,8 +14,8 @@ namespace lancer::io {
 /// Throws FileError, whose message names `path`.
 Image read_apart(const std::string& path, const std::string& format, int input, ColorSpace space);
 
-/// The bytes of a file with this image. Throws FileError, whose message names `path`.
-std::string encode_apart(const Image& image, const std::string& format, const std::string& path,
-                         const ImageWriteOptions& options);
+/// The bytes of a file with these rows. Throws FileError, whose message names `path`.
+std::string encode_apart(const StoredShape& shape, const RowOf& row, const std::string& format,
+                         const std::string& path);
 
 }  // namespace lancer::io

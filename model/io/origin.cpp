@@ -58,19 +58,6 @@ std::optional<Place> place_in_exr(std::string_view exr) {
     return Place{seal + seal_line.size(), *origin};
 }
 
-/// The encoded file with its origin and digest. An EXR must have been written with the note.
-std::string with_origin(std::string bytes, const Origin& origin) {
-    if (is_png(bytes)) {
-        const std::string text = to_text(origin);
-        const std::string seal = sha256(bytes + text);
-        return with_png_text(std::move(bytes), std::string(keyword),
-                             text + std::string(seal_line) + seal);
-    }
-    if (const std::optional<Place> place = place_in_exr(bytes))
-        bytes.replace(place->digits, sha256_digits, sha256(bytes));
-    return bytes;
-}
-
 }  // namespace
 
 std::string to_text(const Origin& origin) {
@@ -95,9 +82,27 @@ std::string difference(const Origin& there, const Origin& wanted) {
     return "";
 }
 
+std::string with_origin(std::string bytes, const Origin& origin) {
+    if (is_png(bytes)) {
+        const std::string text = to_text(origin);
+        const std::string seal = sha256(bytes + text);
+        return with_png_text(std::move(bytes), std::string(keyword),
+                             text + std::string(seal_line) + seal);
+    }
+    if (const std::optional<Place> place = place_in_exr(bytes))
+        bytes.replace(place->digits, sha256_digits, sha256(bytes));
+    return bytes;
+}
+
+ImageWriteOptions options_with_origin(ImageWriteOptions options, const std::string& path,
+                                      const Origin& origin) {
+    if (format_of_name(path) == "openexr") options.notes.push_back(note_of(origin));
+    return options;
+}
+
 void write_image(const std::string& path, const Image& image, ImageWriteOptions options,
                  const Origin& origin) {
-    if (format_of_name(path) == "openexr") options.notes.push_back(note_of(origin));
+    options = options_with_origin(std::move(options), path, origin);
     write_file(path, with_origin(encode_image(path, image, options), origin));
 }
 

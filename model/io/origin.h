@@ -28,7 +28,13 @@ std::optional<Origin> origin_of_text(std::string_view text);
 /// equal.
 std::string difference(const Origin& there, const Origin& wanted);
 
-/// write_image() for a PNG or EXR, with its origin and a digest of all its bytes inside.
+/// The options with which a picture of this origin is encoded: an EXR has the origin as a note.
+ImageWriteOptions options_with_origin(ImageWriteOptions options, const std::string& path,
+                                      const Origin& origin);
+/// The encoded PNG or EXR with its origin and a digest of all its bytes inside.
+std::string with_origin(std::string bytes, const Origin& origin);
+
+/// write_image() with both.
 void write_image(const std::string& path, const Image& image, ImageWriteOptions options,
                  const Origin& origin);
 

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "model/io/image_file.h"
+#include "model/io/row_functions.h"
+#include "model/io/stored_image.h"
 
 namespace lancer::io {
 
@@ -14,5 +16,10 @@ std::string format_of_name(const std::string& path);
 /// The bytes that write_image() would write. Throws FileError.
 std::string encode_image(const std::string& path, const Image& image,
                          const ImageWriteOptions& options);
+/// Both for encoded rows: `shape` is that of a RowEncoder for this format and these options.
+std::string encode_image(const std::string& path, const StoredShape& shape, const RowOf& row,
+                         const ImageWriteOptions& options);
+void write_image(const std::string& path, const StoredShape& shape, const RowOf& row,
+                 const ImageWriteOptions& options);
 
 }  // namespace lancer::io

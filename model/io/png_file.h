@@ -7,6 +7,7 @@
 #include "model/image.h"
 #include "model/io/image_file.h"
 #include "model/io/row_functions.h"
+#include "model/io/stored_image.h"
 
 namespace lancer::io {
 
@@ -17,9 +18,9 @@ bool is_png(std::string_view bytes);
 std::string encode_png(const Image& image, const ImageWriteOptions& options,
                        const std::string& name);
 
-/// The same row by row: `row` is called for each row from the top, and its result must stay valid
-/// until the next call. The pixels of `like` are not used. Also throws what `row` and `add` throw.
-void encode_png(const Image& like, const ImageWriteOptions& options, const std::string& name,
+/// The same for encoded rows: `shape` is that of a RowEncoder with these options. Also throws what
+/// `row` and `add` throw.
+void encode_png(const StoredShape& shape, const ImageWriteOptions& options, const std::string& name,
                 const RowOf& row, const AddBytes& add);
 
 /// The curve by which decode_png() decodes this file's colours: "sRGB", "linear" (gAMA 1), or the

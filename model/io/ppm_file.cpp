@@ -28,33 +28,10 @@ bool is_ppm(std::string_view bytes) {
            std::string_view(" \t\r\n#").find(bytes[2]) != std::string_view::npos;
 }
 
-void encode_ppm(const Image& like, const ImageWriteOptions& options, const RowOf& row,
-                const AddBytes& add) {
-    const int top = options.bits == 16 ? 65535 : 255;
-    const Quantizer quantizer(options.bits, options.linear);
-    const int color = like.color_channels();
-    add(fmt::format("P6\n{} {}\n{}\n", like.width, like.height, top));
-    std::string bytes;
-    for (int y = 0; y < like.height; ++y) {
-        const double* pixel = row(y);
-        bytes.clear();
-        for (int x = 0; x < like.width; ++x, pixel += like.channels) {
-            for (int c = 0; c < 3; ++c) {
-                const unsigned step = quantizer.encoded(pixel[color < 3 ? 0 : c]);
-                if (top > 255) bytes += static_cast<char>(step >> 8);
-                bytes += static_cast<char>(step & 0xFF);
-            }
-        }
-        add(bytes);
-    }
-}
-
-std::string encode_ppm(const Image& image, const ImageWriteOptions& options) {
-    std::string bytes;
-    encode_ppm(
-        image, options, [&](int y) { return image.pixel(0, y); },
-        [&](std::string_view piece) { bytes += piece; });
-    return bytes;
+void encode_ppm(const StoredShape& shape, const RowOf& row, const AddBytes& add) {
+    const int top = shape.type == SampleType::uint16 ? 65535 : 255;
+    add(fmt::format("P6\n{} {}\n{}\n", shape.width, shape.height, top));
+    for (int y = 0; y < shape.height; ++y) add({row(y), shape.row_bytes()});
 }
 
 Image decode_ppm(std::string_view bytes, const std::string& name, ColorSpace space) {

@@ -7,17 +7,14 @@
 #include "model/image.h"
 #include "model/io/image_file.h"
 #include "model/io/row_functions.h"
+#include "model/io/stored_image.h"
 
 namespace lancer::io {
 
 bool is_ppm(std::string_view bytes);
 
-/// Encodes P6 with 8 or 16 bits; grey becomes RGB, other channels are dropped.
-std::string encode_ppm(const Image& image, const ImageWriteOptions& options);
-
-/// The same row by row, like encode_png() in png_file.h.
-void encode_ppm(const Image& like, const ImageWriteOptions& options, const RowOf& row,
-                const AddBytes& add);
+/// Encodes P6 with 8 or 16 bits, row by row.
+void encode_ppm(const StoredShape& shape, const RowOf& row, const AddBytes& add);
 
 /// Decodes P2, P3, P5 and P6 from sRGB: 1 or 3 channels. Throws FileError, which names `name`.
 Image decode_ppm(std::string_view bytes, const std::string& name, ColorSpace space);

@@ -39,29 +39,28 @@ class FileEnd {
     std::uint64_t at_ = 0;
 };
 
-void write_plain(const std::string& format, const Image& like, const ImageWriteOptions& options,
-                 const RowOf& row, int file, const std::string& path) {
+void write_plain(const std::string& format, const StoredShape& shape,
+                 const ImageWriteOptions& options, const RowOf& row, int file,
+                 const std::string& path) {
     FileEnd end(file, path);
     const auto add = [&end](std::string_view bytes) { end.add(bytes); };
     if (format == "png") {
-        encode_png(like, options, path, row, add);
+        encode_png(shape, options, path, row, add);
     } else {
-        encode_ppm(like, options, row, add);
+        encode_ppm(shape, row, add);
     }
     end.flush();
 }
 
-void write_by_library(const std::string& format, const Image& like,
-                      const ImageWriteOptions& options, const RowOf& row, int file,
-                      const std::string& path) {
-    const RowEncoder encoder(like, format, options);
+void write_by_library(const std::string& format, const StoredShape& shape, const RowOf& row,
+                      int file, const std::string& path) {
     std::string rows;
     const RowsOf encoded = [&](int first, int count) -> const void* {
         rows.clear();
-        for (int y = first; y < first + count; ++y) encoder.encode(row(y), rows);
+        for (int y = first; y < first + count; ++y) rows.append(row(y), shape.row_bytes());
         return rows.data();
     };
-    const std::string problem = image_module().write_rows(encoder.shape(), encoded, format, file);
+    const std::string problem = image_module().write_rows(shape, encoded, format, file);
     if (!problem.empty()) throw FileError(fmt::format("cannot write '{}': {}", path, problem));
 }
 
@@ -72,16 +71,21 @@ void write_rows(const std::string& path, const Image& like, const ImageWriteOpti
     const std::string format = format_of_name(path);
     std::vector<double> pixels(static_cast<std::size_t>(like.width) *
                                static_cast<std::size_t>(like.channels));
+    const RowEncoder encoder(like, format, options);
+    std::string samples(encoder.shape().row_bytes(), '\0');
     const RowOf row = [&](int) {
         next(pixels.data());
-        return pixels.data();
+        encoder.encode(pixels.data(), like.width, samples.data());
+        return samples.data();
     };
     write_atomically(path, [&](const std::string& temporary) {
         const Descriptor file(open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
         if (file.number() < 0) throw system_error("cannot write", path, errno);
         const bool is_plain = format == "png" || format == "ppm";
-        (is_plain ? write_plain : write_by_library)(format, like, options, row, file.number(),
-                                                    path);
+        if (is_plain)
+            write_plain(format, encoder.shape(), options, row, file.number(), path);
+        else
+            write_by_library(format, encoder.shape(), row, file.number(), path);
     });
 }
 

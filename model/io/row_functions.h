@@ -6,9 +6,9 @@
 
 namespace lancer::io {
 
-/// The pixels of row y in the layout of Image::data, valid until the next call. Called once for
-/// each row, from the top.
-using RowOf = std::function<const double*(int y)>;
+/// The samples of row y, as RowEncoder stores them, valid until the next call. Called once for each
+/// row, from the top.
+using RowOf = std::function<const char*(int y)>;
 
 /// The same for `count` encoded rows in sequence.
 using RowsOf = std::function<const void*(int first, int count)>;

@@ -41,10 +41,8 @@ struct StoredShape {
     /// For a picture to be written: ImageWriteOptions::notes.
     std::vector<std::pair<std::string, std::string>> notes{};
 
-    std::size_t row_bytes() const {
-        return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels) *
-               bytes_of(type);
-    }
+    std::size_t pixel_bytes() const { return static_cast<std::size_t>(channels) * bytes_of(type); }
+    std::size_t row_bytes() const { return static_cast<std::size_t>(width) * pixel_bytes(); }
 };
 
 /// Receives what a picture library reads or writes, piece by piece.

@@ -76,7 +76,8 @@ View view_of_128() {
     return view;
 }
 
-Image PlainRenderer::render(const View& view, const Progress&, RayCounts& counts) const {
+void PlainRenderer::render_tiles(const View& view, const TakeTile& take, const Progress&,
+                                 RayCounts& counts) const {
     Image image(view.width, view.height);
     std::vector<Color> color(1);
     counts = {};
@@ -87,7 +88,7 @@ Image PlainRenderer::render(const View& view, const Progress&, RayCounts& counts
             for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = color[0][c];
         }
     }
-    return image;
+    take(0, 0, image);
 }
 
 void PlainRenderer::trace(const View&, std::span<const PicturePoint> points,

@@ -16,7 +16,8 @@ class PlainRenderer final : public Renderer {
   public:
     explicit PlainRenderer(Formula formula) : formula_(std::move(formula)) {}
 
-    Image render(const View& view, const Progress& progress, RayCounts& counts) const override;
+    void render_tiles(const View& view, const TakeTile& take, const Progress& progress,
+                      RayCounts& counts) const override;
     void trace(const View& view, std::span<const PicturePoint> points, const TraceLimits& limits,
                std::span<Color> colors, const Progress& progress, RayCounts& counts) const override;
     /// A formula has no known cuts.
