@@ -2,6 +2,7 @@
 // read in any order, and a processor finds its way through few pages faster than through many; the
 // system hands them out faster, too. Without large pages on demand, a block costs at most 4 MB in
 // place of 2.
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
@@ -35,25 +36,40 @@ void* allocate_large(std::size_t bytes) {
     return block;
 }
 
-void* allocate(std::size_t bytes) {
-    if (bytes >= large_page) return allocate_large(bytes);
-    return std::malloc(bytes == 0 ? 1 : bytes);
+void* allocate(std::size_t bytes, std::size_t alignment) {
+    if (bytes >= large_page && alignment <= large_page) return allocate_large(bytes);
+    if (alignment <= alignof(std::max_align_t)) return std::malloc(bytes == 0 ? 1 : bytes);
+    if (bytes > std::size_t(-1) - alignment) return nullptr;
+    return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 
-}  // namespace
-
-// The other forms of operator new, except those with an alignment, call these.
-void* operator new(std::size_t bytes) {
+void* allocate_or_throw(std::size_t bytes, std::size_t alignment) {
     for (;;) {
-        if (void* block = allocate(bytes)) return block;
+        if (void* block = allocate(bytes, alignment)) return block;
         const std::new_handler handler = std::get_new_handler();
         if (handler == nullptr) throw std::bad_alloc();
         handler();
     }
 }
+
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+    return allocate_or_throw(bytes, 1);
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    return allocate_or_throw(bytes, static_cast<std::size_t>(alignment));
+}
+// The other forms call these.
 void operator delete(void* block) noexcept {
     std::free(block);
 }
 void operator delete(void* block, std::size_t /*bytes*/) noexcept {
+    std::free(block);
+}
+void operator delete(void* block, std::align_val_t /*alignment*/) noexcept {
+    std::free(block);
+}
+void operator delete(void* block, std::size_t /*bytes*/, std::align_val_t /*alignment*/) noexcept {
     std::free(block);
 }

@@ -91,7 +91,6 @@ FlatWorld::FlatWorld(const World<double>& world) {
     scene_.items = items_.data();
     scene_.bounded = world.bounded;
     scene_.item_count = static_cast<std::uint32_t>(items_.size());
-    scene_.balls = balls_.data();
     scene_.planes = planes_.data();
     scene_.meshes = meshes_.data();
     // All bounded items are meshes here, so the meshes have the numbers of their items.
@@ -99,7 +98,6 @@ FlatWorld::FlatWorld(const World<double>& world) {
     if (meshes_.size() == world.bounded && world.bounded > most_in_cache)
         scene_.meshes_of_items = meshes_.data();
     scene_.frames = frames_.data();
-    scene_.boxes = boxes_.data();
     scene_.frustums = frustums_.data();
     scene_.tori = tori_.data();
     scene_.patches = patches_.data();
@@ -143,6 +141,11 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
     item.casts_shadow = primitive.casts_shadow;
     item.glassy = primitive.transmissive || (primitive.medium && world.has_media);
     item.clear = is_clear(item, primitive, world);
+    if (item.kind == Kind::mesh) {
+        meshes_.back().casts_shadow = item.casts_shadow;
+        meshes_.back().glassy = item.glassy;
+        meshes_.back().clear = item.clear;
+    }
     if (world.has_media) medium_slots_.push_back(primitive.medium_slot);
     items_.push_back(item);
     if (world.has_textures) texture_of_.push_back(add_texture(primitive, world));
@@ -208,16 +211,14 @@ Item FlatWorld::add_in_world(const Solid<double>& solid) {
     Item item;
     if (const auto* ball = std::get_if<BallSolid<double>>(&solid)) {
         item.kind = Kind::ball;
-        item.shape = static_cast<std::uint32_t>(balls_.size());
-        Ball& b = balls_.emplace_back();
+        Ball& b = item.ball = {};
         put(ball->center, b.center);
         b.radius = ball->radius;
         b.transform_error = ball->transform_error;
         b.filter_error = ball->filter_error;
     } else if (const auto* box = std::get_if<BoxSolid<double>>(&solid)) {
         item.kind = Kind::box;
-        item.shape = static_cast<std::uint32_t>(boxes_.size());
-        Box& b = boxes_.emplace_back();
+        Box& b = item.box = {};
         put(box->min, b.min);
         put(box->max, b.max);
         b.transform_error = box->transform_error;

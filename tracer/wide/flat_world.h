@@ -34,12 +34,10 @@ class FlatWorld {
     std::uint32_t add_texture(const Primitive<double>& primitive, const World<double>& world);
 
     std::vector<Item> items_;
-    std::vector<Ball> balls_;
     std::vector<Plane> planes_;
     std::vector<Mesh> meshes_;
     std::vector<MeshShape> mesh_shapes_;  ///< never moved
     std::map<std::pair<const TriangleMesh<double>*, bool>, const MeshShape*> shapes_of_meshes_;
-    std::vector<Box> boxes_;
     std::vector<Frustum> frustums_;
     std::vector<Torus> tori_;
     std::vector<Patch> patches_;

@@ -4,6 +4,13 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
+/// The mesh that an item is; null if it is none.
+LANCER_INLINE const Mesh* mesh_of(const Scene& scene, std::uint32_t index) {
+    if (scene.meshes_of_items != nullptr) return scene.meshes_of_items + index;
+    const Item& item = scene.items[index];
+    return item.kind == Kind::mesh ? scene.meshes + item.shape : nullptr;
+}
+
 /// Whether the rays are so few that they are better traced one by one.
 LANCER_INLINE bool is_better_alone(const Scene& scene, const Mesh& mesh, Mask mask) {
     const int few = scene.meshes_of_items != nullptr ? few_rays_among_meshes : few_rays;

@@ -31,17 +31,16 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
                                  const Starts& starts, Mask mask, PatchSpaces& patches,
                                  NearestHits& hits) {
     const Scene& scene = *job.scene;
-    const Item& item = scene.items[index];
-    if (item.kind == Kind::mesh) {
-        const Mesh& mesh = scene.meshes[item.shape];
-        const Ways ways(item, index, starts.bodies);
-        if (is_better_alone(scene, mesh, mask))
+    if (const Mesh* mesh = mesh_of(scene, index)) {
+        const Ways ways(mesh->clear, index, starts.bodies);
+        if (is_better_alone(scene, *mesh, mask))
             for_each_lane(
-                mask, [&](int i) { lone_mesh_crossings(mesh, index, r, starts, i, hits, ways); });
+                mask, [&](int i) { lone_mesh_crossings(*mesh, index, r, starts, i, hits, ways); });
         else
-            mesh_crossings(scene, mesh, index, r, starts, mask, hits, ways);
+            mesh_crossings(scene, *mesh, index, r, starts, mask, hits, ways);
         return;
     }
+    const Item& item = scene.items[index];
     if (item.kind == Kind::patch && !item.glassy) {
         const PatchRays& local = patches.rays_in(scene, scene.patches[item.shape], r, starts);
         patch_crossings(job, index, local, starts, mask, hits);
@@ -49,17 +48,16 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     }
     const Mask own = mask & equal(starts.item, index);
     const Mask others = mask & ~own;
-    const Ways ways(item, index, starts.bodies);
+    const Ways ways(item.clear, index, starts.bodies);
     Mask asked = mask;
     if (item.kind == Kind::ball) {
-        const Ball& ball = scene.balls[item.shape];
-        asked = ball_crossings(ball, index, r, others, ways, hits);
-        if (own != 0) crossings_from_ball(ball, index, r, own, ways, hits);
+        asked = ball_crossings(item.ball, index, r, others, ways, hits);
+        if (own != 0) crossings_from_ball(item.ball, index, r, own, ways, hits);
     } else if (item.kind == Kind::box) {
         // A box of glass is crossed by the same formula from its own surface. A ray that has left
         // it does not enter it again.
         const Mask left = item.clear ? others | (own & ways.inside) : others;
-        asked = box_crossings(scene.boxes[item.shape], index, r, left, ways, hits);
+        asked = box_crossings(item.box, index, r, left, ways, hits);
         if (!item.clear) asked |= own;
     } else if (item.kind == Kind::frustum) {
         const Frustum& frustum = scene.frustums[item.shape];

@@ -130,8 +130,8 @@ struct Ways {
     Mask in = 255, out = 255;
     Mask inside = 0;  ///< lanes that are in the item
 
-    LANCER_INLINE Ways(const Item& item, std::uint32_t index, const Bodies& bodies) {
-        if (!item.clear) return;
+    LANCER_INLINE Ways(bool clear, std::uint32_t index, const Bodies& bodies) {
+        if (!clear) return;
         inside = bodies.inside(index);
         in = 255 & ~inside;
         out = inside;

@@ -48,8 +48,8 @@ struct Box {
     double transform_error;
 };
 
-/// FrustumSolid<double>
-struct Frustum {
+/// FrustumSolid<double>. Fills two cache lines.
+struct alignas(64) Frustum {
     double small_end[3], large_end[3], axis[3];
     double height, radius, slope, filter_error, transform_error;
     bool capped, tilted;
@@ -146,6 +146,7 @@ struct alignas(64) Mesh {
     double inverse_z[3];
     std::uint32_t frame;  ///< index into Scene::frames; `nothing`: in world space
     bool keeps_digits;
+    bool casts_shadow, glassy, clear;  ///< as its item
 };
 
 enum class Kind : std::uint8_t {
@@ -158,16 +159,21 @@ enum class Kind : std::uint8_t {
     other,  ///< computed by scalar code
 };
 
-struct Item {
-    std::uint32_t shape = 0;  ///< index into the arrays of its kind
+/// Fills one cache line, so that a ray that comes to a ball or a box finds it there.
+struct alignas(64) Item {
     std::uint32_t material = 0;
     Kind kind = Kind::other;
-    bool convex = false;
-    bool body = false;
-    bool casts_shadow = true;
-    bool glassy = false;  ///< transmits light, or is a medium
+    bool convex : 1 = false;
+    bool body : 1 = false;
+    bool casts_shadow : 1 = true;
+    bool glassy : 1 = false;  ///< transmits light, or is a medium
     /// Glassy, and wide code can shade it. Scalar code traces rays that meet other glassy items.
-    bool clear = false;
+    bool clear : 1 = false;
+    union {
+        std::uint32_t shape = 0;  ///< index into the arrays of other kinds than these two
+        Ball ball;
+        Box box;
+    };
 };
 
 /// Those parts of Finish<double> that wide code uses.
@@ -236,14 +242,12 @@ struct Scene {
     const Item* items;  ///< in the order of World::primitives
     std::uint32_t bounded;
     std::uint32_t item_count;
-    const Ball* balls;
     const Plane* planes;  ///< items[bounded..]
     const Mesh* meshes;
     /// The meshes of items[0..bounded), in their order. Null unless all of these are meshes, and so
     /// many that most of them are in no cache.
     const Mesh* meshes_of_items;
     const Frame* frames;
-    const Box* boxes;
     const Frustum* frustums;
     const Torus* tori;
     const Patch* patches;

@@ -103,14 +103,13 @@ LANCER_INLINE void box_see_throughs(const Box& box, std::uint32_t item, const Ra
                                         Mask mask, const Numbers& distance, SeeThroughs& see) {
     const Item& item = scene.items[index];
     if (item.kind == Kind::ball) {
-        const Ball& ball = scene.balls[item.shape];
-        const BallRoots roots(ball, r, mask);
+        const BallRoots roots(item.ball, r, mask);
         if (roots.met == 0) return;
         Numbers in_error, out_error;
-        roots.bound_errors(ball, r, in_error, out_error);
+        roots.bound_errors(item.ball, r, in_error, out_error);
         see.put_again(roots.met, roots.in, in_error, roots.out, out_error);
     } else if (item.kind == Kind::box) {
-        const BoxSpans span(scene.boxes[item.shape], r, mask);
+        const BoxSpans span(item.box, r, mask);
         if (span.met == 0) return;
         see.put_again(span.met, span.in, span.in_error, span.out, span.out_error);
     } else if (item.kind == Kind::frustum) {

@@ -105,46 +105,33 @@ class ShadowQuery {
     }
 
     void ask(std::uint32_t index, Mask mask) {
-        const Item& item = scene_.items[index];
         mask &= ~equal(starts_.left, index);
-        if (!item.casts_shadow || mask == 0) return;
-        if (item.kind == Kind::mesh) {
-            const Mesh& mesh = scene_.meshes[item.shape];
-            if (item.clear) {
-                mesh_see_throughs(scene_, mesh, index, rays_, starts_, mask, distance_,
-                                  see_throughs_);
-                unsure_ |= see_throughs_.unsure;
-                return;
-            }
-            if (is_better_alone(scene_, mesh, mask)) {
-                for_each_lane(mask, [&](int i) {
-                    note(lone_mesh_shadow(mesh, index, rays_, starts_, i, lane(distance_, i)),
-                         item.glassy);
-                });
-            } else {
-                note(MeshShadow(scene_, mesh, index, rays_, starts_, mask, distance_), item.glassy);
-            }
+        if (mask == 0) return;
+        if (const Mesh* mesh = mesh_of(scene_, index)) {
+            if (mesh->casts_shadow) ask_mesh(*mesh, index, mask);
             return;
         }
+        const Item& item = scene_.items[index];
+        if (!item.casts_shadow) return;
         const Mask own = mask & equal(starts_.item, index);
         if (item.clear && item.kind == Kind::ball) {
-            ball_see_throughs(scene_.balls[item.shape], index, rays_, mask, own,
-                              starts_.bodies.inside(index), distance_, see_throughs_);
+            ball_see_throughs(item.ball, index, rays_, mask, own, starts_.bodies.inside(index),
+                              distance_, see_throughs_);
             unsure_ |= see_throughs_.unsure;
             return;
         }
         const Mask others = mask & ~own;
         if (item.clear && item.kind == Kind::box) {
             const Mask inside = starts_.bodies.inside(index);
-            box_see_throughs(scene_.boxes[item.shape], index, rays_, others | (own & inside),
-                             inside, distance_, see_throughs_);
+            box_see_throughs(item.box, index, rays_, others | (own & inside), inside, distance_,
+                             see_throughs_);
             unsure_ |= (own & ~inside) | see_throughs_.unsure;
             return;
         }
         if (item.kind == Kind::ball) {
-            note(BallShadow(scene_.balls[item.shape], rays_, others, distance_), item.glassy);
+            note(BallShadow(item.ball, rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::box) {
-            note(BoxShadow(scene_.boxes[item.shape], rays_, others, distance_), item.glassy);
+            note(BoxShadow(item.box, rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::frustum) {
             const Frustum& frustum = scene_.frustums[item.shape];
             if (item.clear) {
@@ -181,6 +168,20 @@ class ShadowQuery {
             return;
         }
         unsure_ |= own;
+    }
+
+    void ask_mesh(const Mesh& mesh, std::uint32_t index, Mask mask) {
+        if (mesh.clear) {
+            mesh_see_throughs(scene_, mesh, index, rays_, starts_, mask, distance_, see_throughs_);
+            unsure_ |= see_throughs_.unsure;
+        } else if (is_better_alone(scene_, mesh, mask)) {
+            for_each_lane(mask, [&](int i) {
+                note(lone_mesh_shadow(mesh, index, rays_, starts_, i, lane(distance_, i)),
+                     mesh.glassy);
+            });
+        } else {
+            note(MeshShadow(scene_, mesh, index, rays_, starts_, mask, distance_), mesh.glassy);
+        }
     }
 
     /// Notes the result of a test. A glassy item blocks no ray for certain.

@@ -9,10 +9,10 @@ namespace lancer::wide::LANCER_LEVEL {
 ///         needed
 LANCER_INLINE Mask put_balls(const Scene& scene, const Rays& r, const NearestHits& hits, Mask mask,
                              Surfaces& s) {
-    Vectors center = all(scene.balls[0].center);
+    Vectors center = all(scene.items[hits.item[__builtin_ctz(mask)]].ball.center);
     Numbers radius = all(1.0);
     for_each_item(hits.item, mask, [&](std::uint32_t item, Mask same) {
-        const Ball& ball = scene.balls[scene.items[item].shape];
+        const Ball& ball = scene.items[item].ball;
         center = select(same, all(ball.center), center);
         radius = select(same, all(ball.radius), radius);
     });
@@ -50,7 +50,7 @@ LANCER_INLINE void put_boxes(const Scene& scene, const Rays& r, const NearestHit
         across[axis] |= same;
     };
     for_each_item(hits.item, mask, [&](std::uint32_t item, Mask same) {
-        const Box& box = scene.boxes[scene.items[item].shape];
+        const Box& box = scene.items[item].box;
         for_each_item(hits.face, same,
                       [&](std::uint32_t face, Mask alike) { put_face(box, face, alike); });
     });
