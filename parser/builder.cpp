@@ -167,7 +167,7 @@ void Builder::begin_body() {
 ast::Range Builder::flush(std::size_t from) {
     const auto begin = static_cast<std::uint32_t>(file_.statements.size());
     const auto first = open_.pending.begin() + static_cast<std::ptrdiff_t>(from);
-    make_room(file_.statements, open_.pending.size() - from);
+    make_room(file_.statements, open_.pending.size());  // the others will follow
     file_.statements.insert(file_.statements.end(), first, open_.pending.end());
     open_.pending.erase(first, open_.pending.end());
     return {begin, static_cast<std::uint32_t>(file_.statements.size())};
