@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Lancer beside POV-Ray and Tachyon: writes the table in docs/performance.md.
 
-    tests/bench/peers/peers.py [--lancer build/release/bin/lancer] [--threads N] [--rounds N] [--only WORD] [--print]
+    tests/bench/peers/peers.py [--lancer build/release/bin/lancer] [--level L] [--threads N] [--rounds N] [--only WORD]
+                               [--print]
 
 Each scene of scenes.py is rendered by the three programs in turn; the times are medians, the ratios medians of the
-ratios within a round. The pictures must agree, or there is no row. Needs the packages povray, tachyon and time; an hour.
+ratios within a round. The pictures must agree, or there is no row. With --level the processor is held to that level of
+instructions, and the table is another one of the page. Needs the packages povray, tachyon and time; half an hour.
 """
 import argparse
+import functools
 import math
 import os
 import pathlib
@@ -54,7 +57,7 @@ def agreement(ours, theirs, samples):
 
 def measured(options, what, side, samples):
     """The runs of each program, by name, and how far its picture is from Lancer's."""
-    programs = {"lancer": (runs.lancer, options.lancer), "povray": (runs.povray, "povray"),
+    programs = {"lancer": (functools.partial(runs.lancer, level=options.level), options.lancer), "povray": (runs.povray, "povray"),
                 "tachyon": (runs.tachyon, "tachyon")}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -118,6 +121,7 @@ def counted(number, what):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--lancer", default=str(ROOT / "build" / "release" / "bin" / "lancer"))
+    parser.add_argument("--level", help="what `lancer render --level` takes; without it the best that there is")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--only", default="", help="scenes whose name holds this")
@@ -137,9 +141,10 @@ def main():
     told = [sentence for field in ("trace", "whole") for sentence in means(all_taken, field)]
     print("\n".join(told))
     if not options.print:
-        text = (f"{processor()}, level `{level(options.lancer)}`, {counted(options.threads, 'thread')}, medians of "
+        text = (f"{processor()}, level `{options.level or level(options.lancer)}`, {counted(options.threads, 'thread')}, medians of "
                 f"{counted(options.rounds, 'round')}.\n\n")
-        page_part.write(PAGE, "tests/bench/peers/peers.py", text + "\n".join(lines) + "\n\n" + "\n".join(told) + "\n")
+        part = "tests/bench/peers/peers.py" + (f" --level {options.level}" if options.level else "")
+        page_part.write(PAGE, part, text + "\n".join(lines) + "\n\n" + "\n".join(told) + "\n")
 
 
 if __name__ == "__main__":

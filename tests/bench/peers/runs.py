@@ -24,11 +24,12 @@ def timed(command, folder):
     return seconds, int(kilobytes.read_text()) * 1024, done.stdout
 
 
-def lancer(program, folder, side, samples, threads):
+def lancer(program, folder, side, samples, threads, level=None):
     stats = folder / "stats.json"
+    held = ["--level", level] if level else []
     whole, memory, _ = timed([program, "render", "scene.lancer", "--size", f"{side}x{side}", "--samples", str(samples),
                               "--threads", str(threads), "--bits", "16", "--linear", "-q", "--stats", stats,
-                              "-o", "lancer.ppm", *LIMITS],
+                              "-o", "lancer.ppm", *held, *LIMITS],
                              folder)
     return Run(json.loads(stats.read_text())["seconds"]["trace"], whole, memory, folder / "lancer.ppm")
 
