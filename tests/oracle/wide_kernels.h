@@ -26,8 +26,8 @@ struct WideKernels {
     /// From its surface: the second crossing.
     void (*from_ball)(const wide::Ball& ball, const wide::LaneRay* rays, WideAnswer* out);
     void (*box)(const wide::Box& box, const wide::LaneRay* rays, double limit, WideAnswer* out);
-    void (*frustum)(const wide::Frustum& frustum, const wide::LaneRay* rays, double limit,
-                    WideAnswer* out);
+    void (*frustum)(const wide::Ball& around, const wide::Frustum& frustum,
+                    const wide::LaneRay* rays, double limit, WideAnswer* out);
     void (*torus)(const wide::Torus& torus, const wide::LaneRay* rays, double limit,
                   WideAnswer* out);
     /// `unsure`: the line may meet it
@@ -48,8 +48,8 @@ struct WideKernels {
                         WideAnswer* out);
     void (*box_shadow)(const wide::Box& box, const wide::LaneRay* rays, double distance,
                        WideAnswer* out);
-    void (*frustum_shadow)(const wide::Frustum& frustum, const wide::LaneRay* rays, double distance,
-                           WideAnswer* out);
+    void (*frustum_shadow)(const wide::Ball& around, const wide::Frustum& frustum,
+                           const wide::LaneRay* rays, double distance, WideAnswer* out);
     /// \param own  the rays start on it
     void (*torus_shadow)(const wide::Torus& torus, const wide::LaneRay* rays, bool own,
                          double distance, WideAnswer* out);

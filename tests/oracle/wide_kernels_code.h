@@ -69,11 +69,11 @@ inline void box_kernel(const Box& box, const LaneRay* rays, double limit, oracle
     put_answers(hits, out);
     for (int i = 0; i < lanes; ++i) out[i].face = out[i].hit ? hits.face[i] : 0;
 }
-inline void frustum_kernel(const Frustum& frustum, const LaneRay* rays, double limit,
-                           oracle::WideAnswer* out) {
+inline void frustum_kernel(const Ball& around, const Frustum& frustum, const LaneRay* rays,
+                           double limit, oracle::WideAnswer* out) {
     NearestHits hits;
     hits.limit = all(limit);
-    hits.unsure |= frustum_crossings(frustum, 0, rays_of(rays), 255, hits);
+    hits.unsure |= frustum_crossings(around, frustum, 0, rays_of(rays), 255, hits);
     put_answers(hits, out);
     for (int i = 0; i < lanes; ++i) out[i].face = out[i].hit ? hits.face[i] : 0;
 }
@@ -149,9 +149,9 @@ inline void box_shadow_kernel(const Box& box, const LaneRay* rays, double distan
     const BoxShadow shadow(box, rays_of(rays), 255, all(distance));
     put_answers(shadow.blocks, shadow.unsure, out);
 }
-inline void frustum_shadow_kernel(const Frustum& frustum, const LaneRay* rays, double distance,
-                                  oracle::WideAnswer* out) {
-    const FrustumShadow shadow(frustum, rays_of(rays), 255, all(distance));
+inline void frustum_shadow_kernel(const Ball& around, const Frustum& frustum, const LaneRay* rays,
+                                  double distance, oracle::WideAnswer* out) {
+    const FrustumShadow shadow(around, frustum, rays_of(rays), 255, all(distance));
     put_answers(shadow.blocks, shadow.unsure, out);
 }
 inline void torus_shadow_kernel(const Torus& torus, const LaneRay* rays, bool own, double distance,

@@ -15,6 +15,7 @@
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/sphere.h"
 #include "tracer/shapes/triangle.h"
+#include "tracer/wide/flat_frustums.h"
 
 namespace lancer::oracle {
 namespace {
@@ -137,17 +138,8 @@ TEST(OracleWide, CylinderAndCone) {
             f.capped = draw.number() % 7 != 0;
             f.transform_error = draw.number() % 5 == 2 ? draw.decade(-18, -8) : 0;
             f.filter_error = f.transform_error + filter_error_of(f.small_end);
-            wide::Frustum frustum{};
-            put(f.small_end, frustum.small_end);
-            put(f.large_end, frustum.large_end);
-            put(f.axis, frustum.axis);
-            frustum.height = f.height;
-            frustum.radius = f.radius;
-            frustum.slope = f.slope;
-            frustum.filter_error = f.filter_error;
-            frustum.transform_error = f.transform_error;
-            frustum.capped = f.capped;
-            frustum.tilted = f.tilted;
+            const wide::Frustum frustum = wide::flat_frustum(f);
+            const wide::Ball around = wide::ball_around(f);
             const double size = std::max(f.height, f.radius + f.slope * f.height);
             const Vec3d middle = f.small_end + (f.height / 2) * f.axis;
             const Eight rays(draw, [&](Draw& own) {
@@ -163,10 +155,10 @@ TEST(OracleWide, CylinderAndCone) {
             });
             const double distance = some_limit(draw, size);
             WideAnswer answers[lanes];
-            kernels.frustum(frustum, rays.lane_rays.data(), distance, answers);
+            kernels.frustum(around, frustum, rays.lane_rays.data(), distance, answers);
             for (std::size_t i = 0; i < lanes; ++i)
                 check_nearest(crossings_to(f, rays.rays[i], distance), answers[i], draw, nearest);
-            kernels.frustum_shadow(frustum, rays.lane_rays.data(), distance, answers);
+            kernels.frustum_shadow(around, frustum, rays.lane_rays.data(), distance, answers);
             for (std::size_t i = 0; i < lanes; ++i)
                 check_shadow(f, rays.rays[i], distance, answers[i], draw, shadow);
         });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "tracer/wide/flat_frustums.h"
 #include "tracer/wide/flat_tori.h"
 
 namespace lancer::wide {
@@ -121,17 +122,17 @@ void FlatWorld::add(const Primitive<double>& primitive, const World<double>& wor
     if (primitive.frame == none) item = add_in_world(primitive.solid);
     if (const auto* mesh = std::get_if<MeshInstance<double>>(&primitive.solid)) {
         item.kind = Kind::mesh;
-        item.shape = static_cast<std::uint32_t>(meshes_.size());
+        item.shape.index = static_cast<std::uint32_t>(meshes_.size());
         add(*mesh, primitive.frame);
     }
     if (const auto* torus = std::get_if<TorusSolid<double>>(&primitive.solid)) {
         item.kind = Kind::torus;
-        item.shape = static_cast<std::uint32_t>(tori_.size());
+        item.shape.index = static_cast<std::uint32_t>(tori_.size());
         tori_.push_back(flat_torus(*torus, primitive.frame, world.frames.data()));
     }
     if (std::holds_alternative<BicubicSolid<double>>(primitive.solid)) {
         item.kind = Kind::patch;
-        item.shape = static_cast<std::uint32_t>(patches_.size());
+        item.shape.index = static_cast<std::uint32_t>(patches_.size());
         patches_.push_back({frame_of_patch(primitive.frame)});
     }
     // A composite shows the materials of its leaves, so the exact methods shade it.
@@ -224,18 +225,9 @@ Item FlatWorld::add_in_world(const Solid<double>& solid) {
         b.transform_error = box->transform_error;
     } else if (const auto* frustum = std::get_if<FrustumSolid<double>>(&solid)) {
         item.kind = Kind::frustum;
-        item.shape = static_cast<std::uint32_t>(frustums_.size());
-        Frustum& f = frustums_.emplace_back();
-        put(frustum->small_end, f.small_end);
-        put(frustum->large_end, f.large_end);
-        put(frustum->axis, f.axis);
-        f.height = frustum->height;
-        f.radius = frustum->radius;
-        f.slope = frustum->slope;
-        f.filter_error = frustum->filter_error;
-        f.transform_error = frustum->transform_error;
-        f.capped = frustum->capped;
-        f.tilted = frustum->tilted;
+        item.shape.index = static_cast<std::uint32_t>(frustums_.size());
+        item.shape.around = ball_around(*frustum);
+        frustums_.push_back(flat_frustum(*frustum));
     } else if (const auto* half = std::get_if<HalfSpace<double>>(&solid)) {
         Plane& p = planes_.emplace_back();
         put(half->normal, p.normal);

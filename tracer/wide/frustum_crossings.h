@@ -217,9 +217,13 @@ class FrustumCrossings {
 
 /// Adds the crossings of rays that do not start on an opaque frustum.
 ///
+/// \param around  OtherShape::around
 /// \return rays that the exact method must compute; nothing is added for them
-[[gnu::noinline]] inline Mask frustum_crossings(const Frustum& f, std::uint32_t item, const Rays& r,
-                                                Mask active, NearestHits& hits) {
+[[gnu::noinline]] inline Mask frustum_crossings(const Ball& around, const Frustum& f,
+                                                std::uint32_t item, const Rays& r, Mask active,
+                                                NearestHits& hits) {
+    active = may_come_near(around, r, active, hits.limit);
+    if (active == 0) return 0;
     const FrustumGuess guess(f, r, active, hits.limit);
     if (guess.unsettled == 0) return 0;
     const FrustumCrossings c(f, r, guess.unsettled, hits.limit);
@@ -262,8 +266,11 @@ struct FrustumShadow {
     Mask blocks = 0;
     Mask unsure = 0;
 
-    LANCER_INLINE FrustumShadow(const Frustum& f, const Rays& r, Mask active,
+    /// \param around  OtherShape::around
+    LANCER_INLINE FrustumShadow(const Ball& around, const Frustum& f, const Rays& r, Mask active,
                                 const Numbers& distance) {
+        active = may_come_near(around, r, active, distance);
+        if (active == 0) return;
         const FrustumGuess guess(f, r, active, distance);
         blocks = guess.between;
         const Mask left = guess.unsettled & ~blocks;

@@ -18,7 +18,7 @@ struct HitFrustums {
         end = axis = {zero, zero, zero};
         radius = slope = zero;
         for_each_item(hits.item, mask, [&](std::uint32_t item, Mask same) {
-            const Frustum& f = scene.frustums[scene.items[item].shape];
+            const Frustum& f = scene.frustums[scene.items[item].shape.index];
             const Mask large = same & equal(hits.face, large_cap);
             end = select(same, all(f.small_end), end);
             end = select(large, all(f.large_end), end);

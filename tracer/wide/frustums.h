@@ -4,6 +4,15 @@
 
 namespace lancer::wide::LANCER_LEVEL {
 
+/// The rays that may meet what a ball holds, between 0 and `last`. So most rays that miss a frustum
+/// are told without its memory.
+LANCER_INLINE Mask may_come_near(const Ball& around, const Rays& r, Mask active,
+                                 const Numbers& last) {
+    BallGuess guess(around, r, active);
+    guess.cut(r, last);
+    return guess.may_meet;
+}
+
 struct FrustumGuess {
     Mask unsettled;    ///< rays that may have crossings in [0, last]
     Mask between = 0;  ///< of those, rays that certainly cross the side between 0 and `last`

@@ -8,7 +8,7 @@ namespace lancer::wide::LANCER_LEVEL {
 LANCER_INLINE const Mesh* mesh_of(const Scene& scene, std::uint32_t index) {
     if (scene.meshes_of_items != nullptr) return scene.meshes_of_items + index;
     const Item& item = scene.items[index];
-    return item.kind == Kind::mesh ? scene.meshes + item.shape : nullptr;
+    return item.kind == Kind::mesh ? scene.meshes + item.shape.index : nullptr;
 }
 
 /// Whether the rays are so few that they are better traced one by one.

@@ -59,7 +59,7 @@ LANCER_INLINE Mask near_edges(const Scene& scene, const Rays& r, const Starts& s
     while (on_meshes != 0) {
         const std::uint32_t item = starts.item[__builtin_ctz(on_meshes)];
         const Mask same = on_meshes & equal(starts.item, item);
-        near |= near_edges(scene, scene.meshes[scene.items[item].shape], r, starts, same);
+        near |= near_edges(scene, scene.meshes[scene.items[item].shape.index], r, starts, same);
         on_meshes &= ~same;
     }
     return near;

@@ -42,7 +42,7 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
     }
     const Item& item = scene.items[index];
     if (item.kind == Kind::patch && !item.glassy) {
-        const PatchRays& local = patches.rays_in(scene, scene.patches[item.shape], r, starts);
+        const PatchRays& local = patches.rays_in(scene, scene.patches[item.shape.index], r, starts);
         patch_crossings(job, index, local, starts, mask, hits);
         return;
     }
@@ -60,14 +60,15 @@ LANCER_INLINE void add_crossings(const Job& job, std::uint32_t index, const Rays
         asked = box_crossings(item.box, index, r, left, ways, hits);
         if (!item.clear) asked |= own;
     } else if (item.kind == Kind::frustum) {
-        const Frustum& frustum = scene.frustums[item.shape];
+        const Frustum& frustum = scene.frustums[item.shape.index];
         if (item.clear)
             asked = crossings_of_clear(frustum, index, r, starts, mask, ways, hits);
         else
             asked = own | (item.glassy ? FrustumGuess(frustum, r, others, hits.limit).unsettled
-                                       : frustum_crossings(frustum, index, r, others, hits));
+                                       : frustum_crossings(item.shape.around, frustum, index, r,
+                                                           others, hits));
     } else if (item.kind == Kind::torus && !item.glassy) {
-        asked = torus_crossings(scene, scene.tori[item.shape], index, r, mask, own, hits);
+        asked = torus_crossings(scene, scene.tori[item.shape.index], index, r, mask, own, hits);
     }
     if (asked != 0) exact_crossings(*job.exact, index, r, starts, asked, hits);
 }

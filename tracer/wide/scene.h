@@ -159,6 +159,11 @@ enum class Kind : std::uint8_t {
     other,  ///< computed by scalar code
 };
 
+struct OtherShape {
+    std::uint32_t index = 0;  ///< into the arrays of its kind
+    Ball around{};            ///< of a frustum: ball_around()
+};
+
 /// Fills one cache line, so that a ray that comes to a ball or a box finds it there.
 struct alignas(64) Item {
     std::uint32_t material = 0;
@@ -170,7 +175,7 @@ struct alignas(64) Item {
     /// Glassy, and wide code can shade it. Scalar code traces rays that meet other glassy items.
     bool clear : 1 = false;
     union {
-        std::uint32_t shape = 0;  ///< index into the arrays of other kinds than these two
+        OtherShape shape{};  ///< of the other kinds than these two
         Ball ball;
         Box box;
     };

@@ -115,8 +115,8 @@ LANCER_INLINE void box_see_throughs(const Box& box, std::uint32_t item, const Ra
     } else if (item.kind == Kind::frustum) {
         FrustumStart inside;
         inside.inside = mask;
-        const FrustumCrossings c(scene.frustums[item.shape], r, mask, distance * all(1 + 0x1p-20),
-                                 inside);
+        const FrustumCrossings c(scene.frustums[item.shape.index], r, mask,
+                                 distance * all(1 + 0x1p-20), inside);
         const Mask both = c.enters & c.leaves;
         if (both == 0) return;
         see.put_again(both, c.in, c.in_error(), c.out, c.out_error());

@@ -133,7 +133,7 @@ class ShadowQuery {
         } else if (item.kind == Kind::box) {
             note(BoxShadow(item.box, rays_, others, distance_), item.glassy);
         } else if (item.kind == Kind::frustum) {
-            const Frustum& frustum = scene_.frustums[item.shape];
+            const Frustum& frustum = scene_.frustums[item.shape.index];
             if (item.clear) {
                 frustum_see_throughs(frustum, index, rays_, starts_, mask, distance_,
                                      see_throughs_);
@@ -144,18 +144,19 @@ class ShadowQuery {
                 unsure_ |= own | FrustumGuess(frustum, rays_, others, distance_).unsettled;
                 return;
             }
-            const FrustumShadow shadow(frustum, rays_, others, distance_);
+            const FrustumShadow shadow(item.shape.around, frustum, rays_, others, distance_);
             blocked_ |= shadow.blocks;
             ask_exactly(index, own | shadow.unsure);
             return;
         } else if (item.kind == Kind::torus && !item.glassy) {
-            const TorusShadow shadow(scene_, scene_.tori[item.shape], rays_, mask, own, distance_);
+            const TorusShadow shadow(scene_, scene_.tori[item.shape.index], rays_, mask, own,
+                                     distance_);
             blocked_ |= shadow.blocks;
             ask_exactly(index, shadow.unsure);
             return;
         } else if (item.kind == Kind::patch && !item.glassy) {
             const PatchRays& local =
-                patches_.rays_in(scene_, scene_.patches[item.shape], rays_, starts_);
+                patches_.rays_in(scene_, scene_.patches[item.shape.index], rays_, starts_);
             const PatchShadow shadow(job_, index, local, starts_, mask, distance_);
             blocked_ |= shadow.blocks;
             ask_exactly(index, shadow.unsure & ~shadow.blocks);

@@ -110,16 +110,16 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
         put_plane(scene.planes[item - scene.bounded], r, hits, same, s);
     });
     for_each_item(hits.item, meshes, [&](std::uint32_t item, Mask same) {
-        exact |= put_mesh(scene, scene.meshes[scene.items[item].shape], hits, same, s);
+        exact |= put_mesh(scene, scene.meshes[scene.items[item].shape.index], hits, same, s);
     });
     for_each_item(hits.item, tori, [&](std::uint32_t item, Mask same) {
-        exact |= put_torus(scene, scene.tori[scene.items[item].shape], r, hits, same, s);
+        exact |= put_torus(scene, scene.tori[scene.items[item].shape.index], r, hits, same, s);
     });
     while (patches != 0) {
         const int any = __builtin_ctz(patches);
         const std::uint32_t item = hits.item[any];
         const Mask same = patches & equal(hits.item, item) & equal(hits.face, hits.face[any]);
-        exact |= put_piece(job, scene.patches[scene.items[item].shape], hits, same, s);
+        exact |= put_piece(job, scene.patches[scene.items[item].shape.index], hits, same, s);
         patches &= ~same;
     }
     s.normal = select(less(zero, dot(s.normal, r.dir)), -s.normal, s.normal);
