@@ -45,19 +45,21 @@ class RendererOf final : public RayTreeRenderer {
         const Crop crop = view.crop.value_or(Crop{0, 0, view.width, view.height});
         const int across = (crop.width + tile_size - 1) / tile_size;
         const int down = (crop.height + tile_size - 1) / tile_size;
-        const TileOrder order(across * down);
+        const TileOrder order(across, down);
         const CameraFrame<Real> camera_frame = camera_frame_of(view);
         std::mutex merging;
         constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::max();
         std::int64_t overflow = nowhere;
         counts = {};
-        for_each_task(across * down, world_->settings.threads, progress, [&](auto next_task) {
+        for_each_task(order.count(), world_->settings.threads, progress, [&](auto next_task) {
             const auto work = [&](auto& tracer) {
                 std::int64_t own_overflow = nowhere;
                 Image tile(tile_size, tile_size, form_of(view).channels);
                 for (int index = 0; next_task(index);) {
-                    const int left = order[index] % across * tile_size;
-                    const int top = order[index] / across * tile_size;
+                    const std::optional<TilePlace> place = order[index];
+                    if (!place) continue;
+                    const int left = place->column * tile_size;
+                    const int top = place->row * tile_size;
                     tile.width = std::min(tile_size, crop.width - left);
                     tile.height = std::min(tile_size, crop.height - top);
                     fill(tile, crop.x + left, crop.y + top, tracer, camera_frame, view);
