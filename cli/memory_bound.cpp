@@ -28,7 +28,8 @@ std::uint64_t available_memory(const std::vector<std::string>& bounds) {
 }
 
 std::uint64_t picture_bytes(std::int64_t width, std::int64_t height, int channels) {
-    // The picture itself in double, and the encoder's copy in float or less.
+    // At most the picture in double, as a target error needs it, and the samples of the file, which
+    // are floats or less.
     constexpr std::uint64_t bytes_per_value = sizeof(double) + sizeof(float);
     return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
            static_cast<std::uint64_t>(channels) * bytes_per_value;

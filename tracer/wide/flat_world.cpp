@@ -23,6 +23,8 @@ static_assert(sizeof(Bounds<double>) == sizeof(double[6]));
 static_assert(offsetof(Bounds<double>, max) == sizeof(Vec3d));
 static_assert(sizeof(lancer::Mesh::Corners) == sizeof(std::uint32_t[3]));
 static_assert(nothing == none);
+// They fill lines of the cache.
+static_assert(sizeof(Item) == 64 && sizeof(Mesh) == 128);
 
 void put(const Vec3d& from, double (&to)[3]) {
     for (int i = 0; i < 3; ++i) to[i] = from[i];
