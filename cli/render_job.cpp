@@ -53,8 +53,9 @@ class Rendering {
         }
         std::optional<io::PartHead> head;
         if (is_part()) head = head_of(*job_.part, view, *origin, job_.error.any());
-        width_ = view.crop ? view.crop->width : view.width;
-        height_ = view.crop ? view.crop->height : view.height;
+        const Image form = form_of(view);
+        width_ = form.width;
+        height_ = form.height;
         if (job_.resume && is_kept(output, *origin, head)) return;
         if (head && job_.error.any()) {
             part_by_error(scene, view, *head, output, begun);

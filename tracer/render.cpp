@@ -36,9 +36,8 @@ Image form_of(const View& view) {
 }
 
 Image Renderer::render(const View& view, const Progress& progress, RayCounts& counts) const {
-    const Image form = form_of(view);
-    Image image(form.width, form.height, form.channels);
-    image.extra_names = form.extra_names;
+    Image image = form_of(view);
+    image.data.resize(image.index(0, image.height));
     const auto take = [&](int x, int y, const Image& tile) {
         const std::size_t values = static_cast<std::size_t>(tile.width * tile.channels);
         for (int row = 0; row < tile.height; ++row)

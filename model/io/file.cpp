@@ -130,15 +130,19 @@ void write_pieces(const std::string& path, const std::function<void(const AddByt
     }
     const std::string target = follow_links(path);
     TemporaryFile temporary(folder_of(target), ending_of(path), path);
-    const auto flush = [&] {
-        write_all(temporary.descriptor(), waiting, path);
-        waiting.clear();
+    const auto write_out = [&](std::string_view bytes) {
+        write_all(temporary.descriptor(), bytes, path);
     };
     give([&](std::string_view piece) {
-        waiting += piece;
-        if (waiting.size() >= most_waiting) flush();
+        if (waiting.size() + piece.size() < most_waiting) {
+            waiting += piece;
+            return;
+        }
+        write_out(waiting);
+        waiting.clear();
+        write_out(piece);
     });
-    flush();
+    write_out(waiting);
     temporary.keep_as(target);
 }
 

@@ -39,6 +39,11 @@ Image tile_of(const Image& image, int x, int y) {
     return tile;
 }
 
+void put_tiles(const Image& image, TiledPicture& picture) {
+    for (int y = 0; y < image.height; y += 16)
+        for (int x = 0; x < image.width; x += 16) picture.put(x, y, tile_of(image, x, y));
+}
+
 TEST(TiledPicture, HasTheBytesOfTheWholePicture) {
     const ScratchFolder folder;
     for (const std::string ending : {".png", ".ppm", ".exr", ".hdr", ".tif", ".jpg"}) {
@@ -49,9 +54,7 @@ TEST(TiledPicture, HasTheBytesOfTheWholePicture) {
                 const ImageWriteOptions options{bits, bits == 16};
                 write_image(folder / ("whole" + ending), image, options);
                 TiledPicture picture(folder / ("tiles" + ending), form_of(image), options, {});
-                for (int y = 0; y < image.height; y += 16)
-                    for (int x = 0; x < image.width; x += 16)
-                        picture.put(x, y, tile_of(image, x, y));
+                put_tiles(image, picture);
                 picture.write();
                 EXPECT_TRUE(contents(folder / ("whole" + ending)) ==
                             contents(folder / ("tiles" + ending)))
@@ -68,8 +71,7 @@ TEST(TiledPicture, HasItsOrigin) {
         const Image image = random_picture(53, 35, 3);
         write_image(folder / ("whole" + ending), image, {}, origin);
         TiledPicture picture(folder / ("tiles" + ending), form_of(image), {}, origin);
-        for (int y = 0; y < image.height; y += 16)
-            for (int x = 0; x < image.width; x += 16) picture.put(x, y, tile_of(image, x, y));
+        put_tiles(image, picture);
         picture.write();
         EXPECT_EQ(origin_of_picture(contents(folder / ("tiles" + ending))), origin) << ending;
         EXPECT_TRUE(contents(folder / ("whole" + ending)) == contents(folder / ("tiles" + ending)))

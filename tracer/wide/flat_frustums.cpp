@@ -2,14 +2,9 @@
 
 #include <cmath>
 
+#include "tracer/wide/plain_vector.h"
+
 namespace lancer::wide {
-namespace {
-
-void put(const Vec3d& from, double (&to)[3]) {
-    for (int i = 0; i < 3; ++i) to[i] = from[i];
-}
-
-}  // namespace
 
 Frustum flat_frustum(const FrustumSolid<double>& frustum) {
     Frustum f{};

@@ -5,6 +5,7 @@
 
 #include "tracer/wide/flat_frustums.h"
 #include "tracer/wide/flat_tori.h"
+#include "tracer/wide/plain_vector.h"
 
 namespace lancer::wide {
 namespace {
@@ -26,19 +27,15 @@ static_assert(nothing == none);
 // They fill lines of the cache.
 static_assert(sizeof(Item) == 64 && sizeof(Mesh) == 128);
 
-void put(const Vec3d& from, double (&to)[3]) {
-    for (int i = 0; i < 3; ++i) to[i] = from[i];
-}
-
-void put(const std::array<Vec3d, 3>& from, double (&to)[3][3]) {
+void put_rows(const std::array<Vec3d, 3>& from, double (&to)[3][3]) {
     for (std::size_t i = 0; i < 3; ++i) put(from[i], to[i]);
 }
 
 Frame frame_of(const lancer::Frame<double>& frame) {
     Frame f{};
-    put(frame.to_world.rows, f.to_world);
+    put_rows(frame.to_world.rows, f.to_world);
     put(frame.to_world.shift, f.shift);
-    put(frame.linear_inverse.rows, f.linear_inverse);
+    put_rows(frame.linear_inverse.rows, f.linear_inverse);
     f.norm = frame.norm;
     f.inverse_norm = frame.inverse_norm;
     f.transform_error = frame.transform_error;
@@ -203,7 +200,7 @@ std::uint32_t FlatWorld::add_texture(const Primitive<double>& primitive,
     const Placement<double>& placement =
         world.texture_bindings[primitive.texture_binding].placement;
     Texture& t = textures_.emplace_back();
-    put(placement.map.rows, t.rows);
+    put_rows(placement.map.rows, t.rows);
     put(placement.map.shift, t.shift);
     put(placement.bound, t.bound);
     t.pattern = pattern;

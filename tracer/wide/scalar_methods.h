@@ -8,14 +8,12 @@
 #include "tracer/recursion/whitted.h"
 #include "tracer/wide/exact_methods.h"
 #include "tracer/wide/flat_patches.h"
+#include "tracer/wide/plain_vector.h"
 
 namespace lancer::wide {
 
 inline Vec3d vector_of(const double* v) {
     return {v[0], v[1], v[2]};
-}
-inline void put(const Vec3d& from, double* to) {
-    for (int i = 0; i < 3; ++i) to[i] = from[i];
 }
 
 inline Ray<double> ray_of(const LaneRay& r) {

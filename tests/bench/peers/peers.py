@@ -57,7 +57,8 @@ def agreement(ours, theirs, samples):
 
 def measured(options, what, side, samples):
     """The runs of each program, by name, and how far its picture is from Lancer's."""
-    programs = {"lancer": (functools.partial(runs.lancer, level=options.level), options.lancer), "povray": (runs.povray, "povray"),
+    lancer = functools.partial(runs.lancer, level=options.level)
+    programs = {"lancer": (lancer, options.lancer), "povray": (runs.povray, "povray"),
                 "tachyon": (runs.tachyon, "tachyon")}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -141,7 +142,8 @@ def main():
     told = [sentence for field in ("trace", "whole") for sentence in means(all_taken, field)]
     print("\n".join(told))
     if not options.print:
-        text = (f"{processor()}, level `{options.level or level(options.lancer)}`, {counted(options.threads, 'thread')}, medians of "
+        held = options.level or level(options.lancer)
+        text = (f"{processor()}, level `{held}`, {counted(options.threads, 'thread')}, medians of "
                 f"{counted(options.rounds, 'round')}.\n\n")
         part = "tests/bench/peers/peers.py" + (f" --level {options.level}" if options.level else "")
         page_part.write(PAGE, part, text + "\n".join(lines) + "\n\n" + "\n".join(told) + "\n")
