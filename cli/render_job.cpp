@@ -34,12 +34,12 @@ class Rendering {
           loader_(job.scene, job.scene_options, session, job.settings.reading_threads()),
           progress_(session.terminal, job.quiet, frame_count(job)) {}
 
-    /// Makes one picture, from the script to the file.
-    void render(double frame, double time, const std::string& output) {
+    /// Makes one picture, from the script to the file. `is_last`: no other follows.
+    void render(double frame, double time, const std::string& output, bool is_last) {
         // The time before the first picture belongs to that picture.
         const Stopwatch begun = statistics_.frames == 0 ? watch_ : Stopwatch();
         progress_.clear();  // the script may print
-        Scene scene = loader_.load(frame, time);
+        Scene scene = is_last ? loader_.load_last(frame, time) : loader_.load(frame, time);
         if (job_.preview) scene.settings.samples = 1;
         const View view = view_of(job_, scene, session_);
         if (pictures_ == 0) session_.terminal.show(missing_parts(scene), session_.sources);
@@ -286,7 +286,7 @@ ExitCode run_animation(const RenderJob& job, const std::string& output, Session&
         if (frame > last_known) will_write(frame);
         if (!is_ours(frame)) continue;
         rendering.render(static_cast<double>(frame), frames.time(frame, job.loop),
-                         names.name(frame));
+                         names.name(frame), frame == frames.last);
     }
     rendering.finish(closing_line(rendering, names, frames));
     return rendering.code();
@@ -301,7 +301,7 @@ ExitCode run(const RenderJob& job, Session& session) {
     session.will_write(output, "-o");
     session.will_write(job.statistics, "--stats");
     Rendering rendering(job, session);
-    rendering.render(0, 0, output);
+    rendering.render(0, 0, output, true);
     rendering.finish((rendering.kept() > 0 ? "kept " : "wrote ") + output);
     return rendering.code();
 }

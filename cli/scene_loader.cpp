@@ -147,6 +147,12 @@ Scene SceneLoader::load(std::optional<double> frame, std::optional<double> time)
     return std::move(evaluation.scene);
 }
 
+Scene SceneLoader::load_last(std::optional<double> frame, std::optional<double> time) {
+    Scene scene = load(frame, time);
+    script_.forget();
+    return scene;
+}
+
 std::string SceneLoader::content() {
     std::string all = framed(session_.sources.text(script_.file));
     for (const auto& [name, value] : options_.definitions) all += framed(name) + framed(value);

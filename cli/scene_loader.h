@@ -39,6 +39,10 @@ class SceneLoader {
     /// param or when an output of the run would replace a file that the scene reads.
     Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
+    /// The same for the last scene: frees the script's syntax, which takes more memory than a scene
+    /// of many small objects. No load() may follow.
+    Scene load_last(std::optional<double> frame, std::optional<double> time);
+
     /// What load() shows of a scene without mistakes, beside its own diagnostics and counted with
     /// them.
     void show_too(std::function<std::vector<Diagnostic>(const Scene&)> hints) {

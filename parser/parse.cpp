@@ -17,6 +17,10 @@ Script::Script(Script&&) noexcept = default;
 Script& Script::operator=(Script&&) noexcept = default;
 Script::~Script() = default;
 
+void Script::forget() {
+    program.reset();
+}
+
 Loader disk_loader(int threads) {
     return {
         [](const std::string& path, std::size_t limit) { return io::read_file(path, limit); },

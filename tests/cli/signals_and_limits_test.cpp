@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <chrono>
@@ -99,6 +100,27 @@ TEST(MemoryBound, IsTheLeastThatIsSaid) {
     EXPECT_EQ(bound({"none", "huge", "missing"}), machine);
     EXPECT_EQ(bound({"none", "small"}), 123456789u);
     EXPECT_EQ(bound({"small", "huge"}), 123456789u);
+}
+
+/// The most memory that a run took, in MB.
+double peak_of(const Workplace& place, std::vector<std::string> command) {
+    command.insert(command.end(), {"-q", "--threads", "1", "--stats", "stats.json"});
+    const Finished finished = place.run_in({}, command);
+    EXPECT_EQ(finished.code, 0) << finished.err;
+    return nlohmann::json::parse(place.read("stats.json")).at("peak_memory_bytes").get<double>() /
+           1e6;
+}
+
+TEST(MemoryBound, TheLastPictureIsDrawnWithoutTheSyntaxOfItsScript) {
+    const Workplace place;
+    std::string script = small_scene();
+    for (int i = 0; i < 100'000; ++i)
+        script += "sphere { center [" + std::to_string(i) + ", 0, 0] radius 1 }\n";
+    place.write("a.lancer", script);
+    const double one = peak_of(place, {"render", "a.lancer"});
+    // While the first frame is drawn, the syntax is kept for the second.
+    const double two = peak_of(place, {"render", "a.lancer", "--frames", "0..1"});
+    EXPECT_LT(one + 20, two);
 }
 
 TEST(Guarded, TellsEachKindOfFailureByItsCode) {
