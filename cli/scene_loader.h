@@ -39,8 +39,8 @@ class SceneLoader {
     /// param or when an output of the run would replace a file that the scene reads.
     Scene load(std::optional<double> frame = {}, std::optional<double> time = {});
 
-    /// The same for the last scene: frees the script's syntax, which takes more memory than a scene
-    /// of many small objects. No load() may follow.
+    /// The same for the last scene: no load() may follow. Frees the script's syntax: where a long
+    /// script declares many small objects, it takes more memory than the scene.
     Scene load_last(std::optional<double> frame, std::optional<double> time);
 
     /// What load() shows of a scene without mistakes, beside its own diagnostics and counted with

@@ -60,7 +60,7 @@ class Script {
     Script& operator=(Script&&) noexcept;
     ~Script();
 
-    void forget();  ///< frees what evaluate() needs, so that no further one may follow
+    void forget();  ///< frees what evaluate() needs; it must not be called afterwards
 
     std::uint32_t file = 0;  ///< of the main file, in the SourceMap
     std::unique_ptr<Program> program;
