@@ -40,6 +40,8 @@ class Grid {
     }
 
   private:
+    static constexpr int cylinder = 1, cone = 2, composite = 9;
+
     int pick(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
     double part() { return 0.0625 * (4 + pick(12)); }
 
@@ -59,9 +61,9 @@ class Grid {
         }
     }
 
-    Affine<double> turned() {
+    Affine<double> turned(bool about_itself) {
         Affine<double> map;
-        if (turns_ == Turns::any) {
+        if (turns_ == Turns::any_ends || (turns_ == Turns::any && about_itself)) {
             map = turn(1, 360.0 * pick(1000) / 1000);
             if (pick(3) == 0) map = compose(turn(pick(3), 360.0 * pick(1000) / 1000), map);
             return map;
@@ -71,17 +73,19 @@ class Grid {
     }
 
     void fill(const Vec3d& at) {
-        const Affine<double> map = compose(shift(at), turned());
+        const int kind = pick(10);
+        const bool has_ends = kind == cylinder || kind == cone || kind >= composite;
+        const Affine<double> map = compose(shift(at), turned(!has_ends));
         const Box box{Vec3d(-0.5), Vec3d(0.5)};
         const std::uint32_t m = material();
-        switch (pick(10)) {
+        switch (kind) {
             case 0:
                 s_.add(box, m, map);
                 break;
-            case 1:
+            case cylinder:
                 s_.add(Cylinder{{0, -0.5, 0}, {0, 0.5, 0}, 0.5}, m, map);
                 break;
-            case 2:
+            case cone:
                 s_.add(Cone{{0, -0.5, 0}, {0, 0.5, 0}, 0.5, 0.25 * pick(2)}, m, map);
                 break;
             case 3:

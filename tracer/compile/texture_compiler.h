@@ -5,6 +5,7 @@
 
 #include "model/diagnostic.h"
 #include "tracer/compile/scale.h"
+#include "tracer/compile/texture_placement.h"
 #include "tracer/scene/world.h"
 
 namespace lancer {
@@ -93,13 +94,6 @@ struct ChartMaker {
     }
 };
 
-/// The map that multiplies by 2^exponent.
-inline Affine<long double> power_of_two(int exponent) {
-    Affine<long double> map;
-    for (Vec3<long double>& row : map.rows) row *= std::ldexp(1.0L, exponent);
-    return map;
-}
-
 template <class Real>
 bool finite(const Affine<Real>& m) {
     return std::all_of(m.rows.begin(), m.rows.end(),
@@ -125,36 +119,20 @@ TextureBinding<Real> bind_texture(const Scene& scene, const World<Real>& world,
                                   const Object& object, const Primitive<Real>& primitive, int own,
                                   std::uint32_t space) {
     const Texture& texture = scene.textures[scene.materials[object.material].texture];
-    const Affine<double>& to_world = scene.transforms[object.transform];
-    const bool framed = primitive.frame != none;
     const auto* image = std::get_if<ImageTexture>(&texture.pattern);
     const bool by_shape = image != nullptr && image->mapping == ImageTexture::Mapping::uv;
-    const bool elsewhere = !by_shape && space != object.transform;
-    const Affine<double>& home = elsewhere ? scene.transforms[space] : to_world;
-    Affine<long double> map =
-        framed ? power_of_two(-own)
-               : compose(inverse(convert<long double>(home)), power_of_two(-world.scale_exponent));
-    if (framed && elsewhere)
-        map = compose(inverse(convert<long double>(home)),
-                      compose(convert<long double>(to_world), map));
+    const Affine<double>& to_world = scene.transforms[object.transform];
+    const PlacedTexture<Real> placed{by_shape ? Affine<double>{} : texture.to_object,
+                                     by_shape ? to_world : scene.transforms[space],
+                                     to_world,
+                                     primitive,
+                                     own,
+                                     world};
     TextureBinding<Real> seat;
-    if (by_shape)
-        seat.chart = std::visit(ChartMaker<Real>{scene}, object.shape);
-    else
-        map = compose(inverse(convert<long double>(texture.to_object)), map);
-    seat.placement.map = convert<Real>(map);
-
-    // A shape that was baked into the world was rounded there. The error is relative to the terms
-    // from which its coordinates were summed.
-    Vec3<long double> size = absolute(map.shift);
-    if (!framed && !(to_world == Affine<double>{})) {
-        const Affine<long double> wide = convert<long double>(to_world);
-        const Vec3<long double> extent(extent_of(object.shape, scene));
-        const Vec3<long double> baked = map_bound(wide, extent) + absolute(wide.shift);
-        size += map_bound(map, map_vector(power_of_two(world.scale_exponent), baked));
-    }
-    seat.placement.bound = convert<Real>(static_cast<long double>(gamma<Real>(8)) * size);
-    if (!finite(seat.placement.map) || !is_finite(seat.placement.bound))
+    if (by_shape) seat.chart = std::visit(ChartMaker<Real>{scene}, object.shape);
+    seat.placement = placed.placement(extent_of(object.shape, scene));
+    if (!finite(seat.placement.map) || !is_finite(seat.placement.bound) ||
+        !is_finite(seat.placement.from))
         throw SceneError(object.place,
                          "this shape's texture leaves the range of the chosen precision");
     return seat;

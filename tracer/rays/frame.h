@@ -31,15 +31,17 @@ Real mapping_error(const Frame<Real>& frame, Real by_map, const Vec3<Real>& low)
 template <class Real>
 Ray<Real> to_local(const Ray<Real>& ray, const Frame<Real>& frame) {
     // Both parts of the start are kept. So a map with a power of two as its linear part loses
-    // nothing.
-    const DoubleWordVector<Real> start = two_sum(ray.origin, -frame.to_world.shift);
-    const Vec3<Real> low = start.lo + ray.origin_lo;
+    // nothing. What another map rounds depends on how the parts share the digits: the start from
+    // the frame's place is normalised, so that it is the same wherever the frame is.
+    const DoubleWordVector<Real> about = two_sum(ray.origin, -frame.to_world.shift);
+    const Vec3<Real> low = about.lo + ray.origin_lo;
+    const DoubleWordVector<Real> start = normalized(about.hi, low);
     // Three products and two sums per component, with rounded entries.
     const Real by_map = gamma<Real>(6) * max_component(absolute(start.hi));
     const Real error = frame.inverse_norm * (ray.origin_error + frame.transform_error +
                                              mapping_error(frame, by_map, low));
     const DoubleWordVector<Real> local = normalized(map_vector(frame.linear_inverse, start.hi),
-                                                    map_vector(frame.linear_inverse, low));
+                                                    map_vector(frame.linear_inverse, start.lo));
     return make_ray(local.hi, local.lo, map_vector(frame.linear_inverse, ray.dir), error);
 }
 

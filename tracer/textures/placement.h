@@ -26,20 +26,21 @@ Real whole_part(Real x, Real bound) {
 /// the space in which a texture is defined.
 template <class Real>
 struct Placement {
-    Affine<Real> map;
+    Affine<Real> map;    ///< of points relative to `from`
     Vec3<Real> bound{};  ///< error from the rounding of the primitive's own coordinates
+    Vec3<Real> from{};   ///< a point with the texture: its origin, or that of the object
 };
 
 template <class Real>
 PatternPoint<Real> place(const Placement<Real>& placement, const SurfacePoint<Real>& p) {
     const Affine<Real>& m = placement.map;
-    // The anchor comes first: it may be large, and cancel with the shift. The offset is then added
-    // to a small number.
-    PatternPoint<Real> point{map_point(m, p.anchor) + map_vector(m, p.offset), placement.bound};
+    // Relative to a point that moves with the texture, the point is the same wherever both are.
+    const Vec3<Real> anchor = (p.anchor - placement.from) + p.rest;
+    PatternPoint<Real> point{map_point(m, anchor) + map_vector(m, p.offset), placement.bound};
     // Entries of the matrix, products and sums each have a few roundings.
     constexpr Real roundings = gamma<Real>(16);
     const Vec3<Real> reach =
-        Vec3<Real>(p.error) + roundings * (absolute(p.anchor) + absolute(p.offset));
+        Vec3<Real>(p.error) + roundings * (absolute(anchor) + absolute(p.offset));
     point.bound += map_bound(m, reach);
     return point;
 }

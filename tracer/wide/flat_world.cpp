@@ -203,6 +203,7 @@ std::uint32_t FlatWorld::add_texture(const Primitive<double>& primitive,
     put_rows(placement.map.rows, t.rows);
     put(placement.map.shift, t.shift);
     put(placement.bound, t.bound);
+    put(placement.from, t.from);
     t.pattern = pattern;
     return static_cast<std::uint32_t>(textures_.size() - 1);
 }

@@ -24,13 +24,14 @@ LANCER_INLINE Numbers mapping_error(const Frame& frame, const Numbers& by_map, c
 }
 
 LANCER_INLINE Rays to_local(const Rays& r, const Frame& frame) {
-    const VectorPair start = two_sum(r.origin, -all(frame.shift));
-    const Vectors low = start.lo + r.origin_lo;
+    const VectorPair about = two_sum(r.origin, -all(frame.shift));
+    const Vectors low = about.lo + r.origin_lo;
+    const VectorPair start = normalized(about.hi, low);
     const Numbers by_map = bound<6>() * max_component(absolute(start.hi));
     const Numbers error = all(frame.inverse_norm) * (r.origin_error + all(frame.transform_error) +
                                                      mapping_error(frame, by_map, low));
     const VectorPair local = normalized(map_vector(frame.linear_inverse, start.hi),
-                                        map_vector(frame.linear_inverse, low));
+                                        map_vector(frame.linear_inverse, start.lo));
     return make_rays(local.hi, local.lo, map_vector(frame.linear_inverse, r.dir), error);
 }
 

@@ -17,10 +17,21 @@ LANCER_INLINE Vectors all(const Fours& v) {
     return all(each);
 }
 
+/// normalized()
+LANCER_INLINE void normalize(Fours& hi, Fours& lo) {
+    if ((equal(lo, four(0.0)) & 7) == 7) return;
+    const Fours sum = hi + lo;
+    const Fours lo_part = sum - hi;
+    const Fours hi_part = sum - lo_part;
+    lo = (hi - hi_part) + (lo - lo_part);
+    hi = sum;
+}
+
 /// to_local()
 struct LoneRay {
     Fours origin, origin_lo, dir, inv_dir;
-    Fours about, low;  ///< the start minus the frame's shift, in world space: high and low part
+    Fours about;  ///< the start minus the frame's shift, in world space: the high part
+    Fours low;    ///< the low part before it was normalised
     bool whole;
 
     LANCER_INLINE LoneRay(const Rays& r, int i, const Mesh& mesh) {
@@ -30,17 +41,12 @@ struct LoneRay {
         const Fours shift_part = about - from;
         const Fours from_part = about - shift_part;
         low = ((from - from_part) + (shift - shift_part)) + coordinates(r.origin_lo, i);
+        Fours rest = low;
+        normalize(about, rest);
         origin = map_vector(mesh, about);
-        origin_lo = map_vector(mesh, low);
-        const Fours zero = four(0.0);
-        if ((equal(origin_lo, zero) & 7) != 7) {
-            const Fours sum = origin + origin_lo;
-            const Fours low_part = sum - origin;
-            const Fours high_part = sum - low_part;
-            origin_lo = (origin - high_part) + (origin_lo - low_part);
-            origin = sum;
-        }
-        whole = (equal(origin_lo, zero) & 7) == 7;
+        origin_lo = map_vector(mesh, rest);
+        normalize(origin, origin_lo);
+        whole = (equal(origin_lo, four(0.0)) & 7) == 7;
         dir = map_vector(mesh, coordinates(r.dir, i));
         inv_dir = four(1.0) / dir;
     }

@@ -215,7 +215,7 @@ struct Pattern {
 
 /// The placement of a pattern on one item: Placement<double>.
 struct Texture {
-    double rows[3][3], shift[3], bound[3];
+    double rows[3][3], shift[3], bound[3], from[3];
     std::uint32_t pattern;
 };
 

@@ -93,6 +93,7 @@ LANCER_INLINE void put_plane(const Plane& plane, const Rays& r, const NearestHit
         place = {select(exact, place.hi, sum.hi), select(exact, place.lo, sum.lo)};
     }
     s.note(mask, anchor, offset, error);
+    s.note_rest(mask, rest);
     put(mask, place, error, all(plane.unit_normal), s);
 }
 

@@ -5,7 +5,7 @@ namespace lancer::wide::LANCER_LEVEL {
 
 /// Those members of SurfacePoint<double> that textures need.
 struct SurfacePoints {
-    Vectors anchor, offset;  ///< in the primitives' own spaces
+    Vectors anchor, offset, rest;  ///< in the primitives' own spaces
     Numbers error;
 };
 
@@ -24,6 +24,9 @@ struct Surfaces {
         points->anchor = select(mask, anchor, points->anchor);
         points->offset = select(mask, offset, points->offset);
         points->error = select(mask, of_point, points->error);
+    }
+    LANCER_INLINE void note_rest(Mask mask, const Vectors& rest) {
+        if (points != nullptr) points->rest = select(mask, rest, points->rest);
     }
 };
 

@@ -100,7 +100,7 @@ inline void make_surfaces(const Job& job, const Rays& r, const NearestHits& hits
     put_finishes(scene, materials, mask, s);
     SurfacePoints points;
     if (textured != 0) {
-        points = {zeros, zeros, zero};
+        points = {zeros, zeros, zeros, zero};
         s.points = &points;
     }
     if (balls != 0) exact |= put_balls(scene, r, hits, balls, s);

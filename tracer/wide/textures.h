@@ -11,7 +11,7 @@ struct PatternPoints {
 /// The placements of the textures of eight items.
 struct Textures {
     Vectors rows[3];
-    Vectors shift, bound;
+    Vectors shift, bound, from;
 
     LANCER_INLINE Textures(const Scene& scene, const NearestHits& hits, Mask mask) {
         const auto texture_of = [&](int i) -> const Texture& {
@@ -22,11 +22,13 @@ struct Textures {
         for (int k = 0; k < 3; ++k) rows[k] = all(one.rows[k]);
         shift = all(one.shift);
         bound = all(one.bound);
+        from = all(one.from);
         for_each_lane(mask & ~equal(hits.item, hits.item[first]), [&](int i) {
             const Texture& other = texture_of(i);
             for (int k = 0; k < 3; ++k) set_lane(rows[k], i, other.rows[k]);
             set_lane(shift, i, other.shift);
             set_lane(bound, i, other.bound);
+            set_lane(from, i, other.from);
         });
     }
 
@@ -35,11 +37,12 @@ struct Textures {
         const auto map = [&](const Vectors& v) {
             return Vectors{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
         };
+        const Vectors anchor = (p.anchor - from) + p.rest;
         const Vectors reach = Vectors{p.error, p.error, p.error} +
-                              bound_of_roundings() * (absolute(p.anchor) + absolute(p.offset));
+                              bound_of_roundings() * (absolute(anchor) + absolute(p.offset));
         const Vectors moved{dot(absolute(rows[0]), reach), dot(absolute(rows[1]), reach),
                             dot(absolute(rows[2]), reach)};
-        return {(map(p.anchor) + shift) + map(p.offset), bound + moved};
+        return {(map(anchor) + shift) + map(p.offset), bound + moved};
     }
 
   private:
