@@ -2,8 +2,11 @@
 // flat lists of steps. The tree is generic: it knows no shape, light or material.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/source.h"
@@ -59,6 +62,11 @@ enum class Op : std::uint8_t {
     gathered,      ///< the elements since `gather` -> list
 };
 
+/// The length of a token, as far as it is kept: messages show no longer ones.
+constexpr std::uint16_t capped(std::size_t length) {
+    return static_cast<std::uint16_t>(std::min<std::size_t>(length, 0xFFFF));
+}
+
 struct Step {
     std::uint64_t payload = 0;
     std::uint32_t offset = 0;  ///< of the token, from the start of the file
@@ -110,17 +118,27 @@ struct Statement {
         print,      ///< print arguments
         broken,     ///< a declaration of `name` that could not be read
     };
+    static constexpr std::uint32_t no_parts = 0xFFFFFFFF;
+
     Kind kind = Kind::property;
-    bool damaged = false;  ///< its body contains a syntax error
-    bool has_otherwise = false;
-    Symbol word = no_symbol;               ///< the first word
-    Symbol name = no_symbol;               ///< the declared name, or a block's name
-    std::uint32_t offset = 0, length = 0;  ///< of the first word
-    std::uint32_t name_offset = 0, name_length = 0;
+    bool damaged = false;            ///< its body contains a syntax error
+    std::uint16_t length = 0;        ///< of the first word, capped
+    std::uint32_t offset = 0;        ///< of the first word
+    Symbol word = no_symbol;         ///< the first word
+    std::uint32_t parts = no_parts;  ///< index into File::parts: see File::parts_of()
     Expression value;
-    Range arguments;  ///< into File::arguments
-    Range body;       ///< into File::statements
-    Range otherwise;  ///< into File::statements
+};
+
+static_assert(sizeof(Statement) == 32, "a long script has millions of them");
+
+/// What most statements do not have. Most statements of a long script are properties, which have a
+/// word and a value alone.
+struct Parts {
+    Symbol name = no_symbol;  ///< the declared name, or a block's name
+    std::uint32_t name_offset = 0, name_length = 0;
+    Range arguments;                 ///< into File::arguments
+    Range body;                      ///< into File::statements
+    std::optional<Range> otherwise;  ///< into File::statements
 };
 
 /// The place of a comment, including its delimiters.
@@ -133,6 +151,7 @@ struct File {
     std::vector<Step> steps;
     std::vector<Argument> arguments;
     std::vector<Statement> statements;  ///< bodies before the statement that owns them
+    std::vector<Parts> parts;           ///< of the statements that have some
     Range body;                         ///< the file's own statements
     std::vector<Comment> comments;      ///< in the order of the text
     std::vector<Symbol> variables;      ///< the variables of computed lists
@@ -144,7 +163,14 @@ struct File {
     SourceSpan span(const Expression& e) const { return span(e.offset, e.length); }
     SourceSpan span(const Step& s) const { return span(s.offset, s.length); }
     SourceSpan span(const Argument& a) const { return span(a.offset, a.length); }
-    SourceSpan name_span(const Statement& s) const { return span(s.name_offset, s.name_length); }
+    SourceSpan name_span(const Statement& s) const {
+        return span(parts_of(s).name_offset, parts_of(s).name_length);
+    }
+    Symbol name_of(const Statement& s) const { return parts_of(s).name; }
+    const Parts& parts_of(const Statement& s) const {
+        static const Parts none;
+        return s.parts == Statement::no_parts ? none : parts[s.parts];
+    }
 };
 
 }  // namespace lancer::ast

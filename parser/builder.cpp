@@ -47,7 +47,7 @@ bool Builder::knows_block(std::string_view word) {
 }
 
 bool Builder::block_being_opened_knows(const char*, std::string_view word) {
-    const ast::Statement& block = open_.building.back();
+    const OpenStatement& block = open_.building.back();
     return vocabulary_.properties(block.word, block.name).knows(symbols_.intern(word));
 }
 
@@ -98,19 +98,19 @@ void Builder::comment(const char* begin, const char* end) {
 }
 
 void Builder::begin_statement(Kind kind, const char* begin, const char* end) {
-    ast::Statement& statement = open_.building.emplace_back();
+    OpenStatement& statement = open_.building.emplace_back();
     const std::string_view word(begin, static_cast<std::size_t>(end - begin));
     statement.kind = kind;
     statement.word = symbols_.intern(word);
     statement.offset = offset_of(begin);
-    statement.length = static_cast<std::uint32_t>(word.size());
+    statement.length = ast::capped(word.size());
     const auto arguments = static_cast<std::uint32_t>(file_.arguments.size());
     statement.arguments = {arguments, arguments};
 }
 
 void Builder::statement_name(const char* begin, const char* end) {
     const std::string_view name(begin, static_cast<std::size_t>(end - begin));
-    ast::Statement& statement = open_.building.back();
+    OpenStatement& statement = open_.building.back();
     statement.name = symbols_.intern(name);
     statement.name_offset = offset_of(begin);
     statement.name_length = static_cast<std::uint32_t>(name.size());
@@ -143,7 +143,7 @@ void Builder::argument() {
 }
 
 void Builder::begin_body() {
-    ast::Statement& owner = open_.building.back();
+    OpenStatement& owner = open_.building.back();
     owner.arguments.end = static_cast<std::uint32_t>(file_.arguments.size());
     Context context;
     context.pending = open_.pending.size();
@@ -190,13 +190,13 @@ void Builder::end_body(const char* at, bool closed) {
     }
     last_brace_ = at + (closed ? 1 : 0);
     const ast::Range body = flush(context.pending);
-    ast::Statement& owner = open_.building.back();
+    OpenStatement& owner = open_.building.back();
     owner.damaged |= context.damaged;
-    (owner.has_otherwise ? owner.otherwise : owner.body) = body;
+    (owner.otherwise ? *owner.otherwise : owner.body) = body;
 }
 
 void Builder::begin_else() {
-    open_.building.back().has_otherwise = true;
+    open_.building.back().otherwise.emplace();
     open_.else_marks.push_back(open_.pending.size());
 }
 
@@ -208,7 +208,7 @@ void Builder::end_else() {
 }
 
 void Builder::end_statement() {
-    ast::Statement& statement = open_.building.back();
+    OpenStatement& statement = open_.building.back();
     if (statement.body.empty() && statement.kind != Kind::block && statement.kind != Kind::def &&
         statement.kind != Kind::loop && statement.kind != Kind::choice)
         statement.arguments.end = static_cast<std::uint32_t>(file_.arguments.size());
@@ -217,8 +217,19 @@ void Builder::end_statement() {
         within_.counts.pop_back();
     }
     make_room(open_.pending, 1);
-    open_.pending.push_back(statement);
+    open_.pending.push_back(finished());
+}
+
+ast::Statement Builder::finished() {
+    const OpenStatement& open = open_.building.back();
+    ast::Statement statement = open;
+    if (open.name != no_symbol || !open.arguments.empty() || !open.body.empty() || open.otherwise) {
+        statement.parts = static_cast<std::uint32_t>(file_.parts.size());
+        make_room(file_.parts, 1);
+        file_.parts.push_back(open);
+    }
     open_.building.pop_back();
+    return statement;
 }
 
 void Builder::end_file() {

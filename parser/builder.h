@@ -76,7 +76,7 @@ class Builder {
     /// The lengths of all stacks at a place, in the order of the stacks.
     struct Mark {
         const char* at = nullptr;
-        std::array<std::size_t, 3> file;
+        std::array<std::size_t, 4> file;
         std::array<std::size_t, 4> statements;
         std::array<std::size_t, 11> expressions;
         std::uint64_t nesting = 0;
@@ -163,6 +163,8 @@ class Builder {
     void deeper(const char* at);
     void emit(ast::Op op, const char* begin, const char* end, std::uint64_t payload);
     void pop_operator();
+    /// The innermost begun statement, which is now complete, with its parts in the file.
+    ast::Statement finished();
     ast::Range flush(std::size_t from);
     /// Reserves room for `more` elements. When the array is full, the new capacity assumes that the
     /// rest of the text is like the part that was read; otherwise a long script would be copied
@@ -178,8 +180,13 @@ class Builder {
         read.reserve(std::max(needed, static_cast<std::size_t>(grown)));
     }
     /// The arrays of the file that a syntax error cuts.
-    auto file_stacks() { return std::tie(file_.arguments, file_.steps, file_.statements); }
+    auto file_stacks() {
+        return std::tie(file_.arguments, file_.steps, file_.statements, file_.parts);
+    }
     SourceSpan span(const char* begin, const char* end) const;
+    SourceSpan name_span(const OpenStatement& s) const {
+        return file_.span(s.name_offset, s.name_length);
+    }
     std::string found_at(const char* at) const;
     SourceSpan span_of_token(const char* at) const;
     Diagnostic* report(const Mark& mark, const SyntaxError& error);

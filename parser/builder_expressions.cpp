@@ -39,9 +39,9 @@ constexpr std::uint64_t pair(std::uint64_t low, std::uint64_t high) {
 }  // namespace
 
 void Builder::emit(Op op, const char* begin, const char* end, std::uint64_t payload) {
-    const auto length = std::min<std::ptrdiff_t>(end - begin, 0xFFFF);
     make_room(file_.steps, 1);
-    file_.steps.push_back({payload, offset_of(begin), static_cast<std::uint16_t>(length), op});
+    file_.steps.push_back(
+        {payload, offset_of(begin), ast::capped(static_cast<std::size_t>(end - begin)), op});
     last_end_ = std::max(last_end_, end);
 }
 
@@ -85,8 +85,8 @@ void Builder::boolean(const char* begin, const char* end, bool value) {
 
 void Builder::callee(const char* begin, const char* end) {
     const std::string_view name(begin, static_cast<std::size_t>(end - begin));
-    const auto length = static_cast<std::uint16_t>(std::min<std::size_t>(name.size(), 0xFFFF));
-    within_.callees.push_back({symbols_.intern(name), offset_of(begin), length, Op::name});
+    within_.callees.push_back(
+        {symbols_.intern(name), offset_of(begin), ast::capped(name.size()), Op::name});
     last_end_ = end;
 }
 
@@ -183,8 +183,7 @@ void Builder::pop_operator() {
         last.payload = std::bit_cast<std::uint64_t>(-last.number());
         const auto end = last.offset + last.length;
         last.offset = offset_of(pending.begin);
-        last.length =
-            static_cast<std::uint16_t>(std::min<std::uint32_t>(end - last.offset, 0xFFFF));
+        last.length = ast::capped(end - last.offset);
         return;
     }
     emit(pending.op, pending.begin, pending.end, 0);
@@ -231,7 +230,7 @@ bool Builder::is_block_in_place(const char* at) {
 /// The block's statements have steps of their own; the expression around the block skips them.
 void Builder::begin_in_place(const char* begin, const char* end) {
     within_.skips.push_back({static_cast<std::uint32_t>(file_.steps.size()), file_.arguments.size(),
-                             file_.statements.size(), within_.labels.size()});
+                             file_.parts.size(), within_.labels.size()});
     emit(Op::skip, begin, end, 0);
     begin_statement(ast::Statement::Kind::block, begin, end);
 }
@@ -243,14 +242,12 @@ void Builder::end_in_place() {
     file_.steps[skip.step].payload = file_.steps.size();
     // An expression or call around the block may be reading arguments. Those since the block began
     // belong to calls, which a block of properties cannot hold, so they are dropped.
-    for (std::size_t i = skip.statements; i < file_.statements.size(); ++i)
-        file_.statements[i].arguments = {};
+    for (std::size_t i = skip.parts; i < file_.parts.size(); ++i) file_.parts[i].arguments = {};
     file_.arguments.resize(skip.arguments);
     block.op = Op::block;
     block.payload = file_.statements.size();
     file_.steps.push_back(block);
-    file_.statements.push_back(open_.building.back());
-    open_.building.pop_back();
+    file_.statements.push_back(finished());
     last_end_ = last_brace_;
 }
 

@@ -26,6 +26,8 @@ void cut(const std::tuple<Stacks&...>& stacks,
                stacks);
 }
 
+struct OpenStatement : ast::Statement, ast::Parts {};
+
 struct OpenStatements {
     /// The file, or a body that is being read.
     struct Context {
@@ -37,8 +39,8 @@ struct OpenStatements {
         std::size_t pending = 0;
     };
 
-    std::vector<ast::Statement> building;  ///< begun statements, the innermost last
-    std::vector<ast::Statement> pending;   ///< complete statements of bodies that are still open
+    std::vector<OpenStatement> building;  ///< begun statements, the innermost last
+    std::vector<ast::Statement> pending;  ///< complete statements of bodies that are still open
     std::vector<Context> contexts;
     std::vector<std::size_t> else_marks;  ///< index into `pending` where each `else` begins
 
@@ -67,7 +69,7 @@ struct OpenExpressions {
     /// A block in place: the lengths of the arrays before it.
     struct Skip {
         std::uint32_t step = 0;
-        std::size_t arguments = 0, statements = 0, labels = 0;
+        std::size_t arguments = 0, parts = 0, labels = 0;
     };
 
     std::vector<ast::Expression> values;

@@ -104,7 +104,7 @@ Diagnostic* Builder::report(const Mark& mark, const SyntaxError& error) {
             break;
         case Message::expected_equals: {
             // If a line ends without a value, the error is on that line, not on the next.
-            const SourceSpan name = file_.name_span(open_.building.back());
+            const SourceSpan name = name_span(open_.building.back());
             const std::size_t line_end = scan::line_end(text_, name.offset);
             return where.offset >= line_end ? report_.error(Message::value_missing, name,
                                                             text_.substr(name.offset, name.length))
@@ -134,15 +134,21 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     // The names that a broken statement declares count as declared, so that no errors follow from
     // it.
     const bool in_statement = open_.building.size() > mark.building();
-    ast::Statement broken;
+    OpenStatement broken;
     if (in_statement) broken = open_.building[mark.building()];
     cut(file_stacks(), mark.file);
     cut(open_.stacks(), mark.statements);
     cut(within_.stacks(), mark.expressions);
     open_.contexts.back().damaged = true;
     if (in_statement && broken.name != no_symbol && broken.kind != Kind::loop) {
-        broken.kind = Kind::broken;
-        open_.pending.push_back(broken);
+        // Its value and other parts are cut.
+        OpenStatement& declaration = open_.building.emplace_back();
+        declaration = broken;
+        declaration.kind = Kind::broken;
+        declaration.value = {};
+        declaration.arguments = declaration.body = {};
+        declaration.otherwise.reset();
+        open_.pending.push_back(finished());
     }
     nesting_ = mark.nesting;
     if (error.message == Message::comment_not_closed) return text_.data() + text_.size();

@@ -31,15 +31,20 @@ std::string_view Builder::until(char close, std::size_t at) const {
 
 /// The place where a name that is visible here got its value; `nowhere` when it has none yet.
 SourceSpan Builder::place_of_value(Symbol name) const {
-    const auto declares = [name](const ast::Statement& s) {
-        return s.name == name &&
+    const auto declares = [name](const ast::Statement& s, const ast::Parts& parts) {
+        return parts.name == name &&
                (s.kind == Kind::let || s.kind == Kind::param || s.kind == Kind::loop);
     };
-    for (const auto* statements : {&open_.pending, &open_.building}) {
-        const auto found = std::find_if(statements->rbegin(), statements->rend(), declares);
-        if (found != statements->rend()) return file_.name_span(*found);
-    }
-    for (const ast::Statement& open : open_.building) {
+    const auto& pending = open_.pending;
+    const auto complete =
+        std::find_if(pending.rbegin(), pending.rend(),
+                     [&](const ast::Statement& s) { return declares(s, file_.parts_of(s)); });
+    if (complete != pending.rend()) return file_.name_span(*complete);
+    const auto& building = open_.building;
+    const auto begun = std::find_if(building.rbegin(), building.rend(),
+                                    [&](const OpenStatement& s) { return declares(s, s); });
+    if (begun != building.rend()) return name_span(*begun);
+    for (const OpenStatement& open : open_.building) {
         for (std::uint32_t i = open.arguments.begin; i < open.arguments.end; ++i)
             if (file_.arguments[i].name == name) return file_.span(file_.arguments[i]);
     }
@@ -48,7 +53,7 @@ SourceSpan Builder::place_of_value(Symbol name) const {
 
 /// Reports `name = value` where a property should stand.
 void Builder::report_assignment(const char* at) {
-    ast::Statement& property = open_.building.back();
+    OpenStatement& property = open_.building.back();
     const SourceSpan first = place_of_value(property.word);
     const std::string_view word = symbols_.text(property.word);
     const std::size_t begin = offset_of(at);
@@ -78,7 +83,7 @@ void Builder::report_stray(const char* at) {
     if (*at == '}') {
         report_.error(Message::stray_close_brace, where);
     } else if (*at == '=') {
-        ast::Statement& property = open_.building.back();
+        OpenStatement& property = open_.building.back();
         if (declarator_end_ == text_.data() + property.offset) {
             property.kind = Kind::broken;
             property.name = property.word;

@@ -93,7 +93,8 @@ BlockReader::BlockReader(const BlockContext& context, const ast::File& file,
       given_(word.properties.fields().size()) {}
 
 std::string_view BlockReader::name() const {
-    return block_.name == no_symbol ? std::string_view{} : context_.text(block_.name);
+    const Symbol name = file_.name_of(block_);
+    return name == no_symbol ? std::string_view{} : context_.text(name);
 }
 
 const ast::Statement* BlockReader::find(std::string_view property) const {
@@ -205,7 +206,8 @@ void BlockReader::check() {
 }
 
 bool BlockReader::read(void* own, void* shared) {
-    for (std::uint32_t i = block_.body.begin; i < block_.body.end; ++i) {
+    const ast::Range body = file_.parts_of(block_).body;
+    for (std::uint32_t i = body.begin; i < body.end; ++i) {
         context_.meter.statement(file_.span(file_.statements[i]));
         read_statement(file_.statements[i], own, shared);
     }
@@ -229,7 +231,7 @@ std::uint32_t make_inline_material(const BlockContext& context, const ast::File&
                                    const ast::Statement& statement) {
     const Vocabulary& vocabulary = context.vocabulary();
     const BlockWord& word = *vocabulary.block(vocabulary.material, no_symbol);
-    if (statement.name != no_symbol)
+    if (file.name_of(statement) != no_symbol)
         context.report.error(Message::block_takes_no_name, file.name_span(statement),
                              "a material inside a shape");
     BlockReader reader(context, file, statement, word);

@@ -38,13 +38,14 @@ void BlockStatements::read_property_of_file(const ast::File& file, const ast::St
 const BlockWord* BlockStatements::read_block(const ast::File& file,
                                              const ast::Statement& statement) {
     const Vocabulary& vocabulary = context_.vocabulary();
-    const BlockWord* word = vocabulary.block(statement.word, statement.name);
+    const BlockWord* word = vocabulary.block(statement.word, file.name_of(statement));
     if (word == nullptr) {
         report_unknown_block(file, statement, names_, context_);
         return nullptr;
     }
     if (word->info->holds_statements) return word;
-    if (word->keyword == vocabulary.material && statement.name == no_symbol && groups_.any()) {
+    if (word->keyword == vocabulary.material && file.name_of(statement) == no_symbol &&
+        groups_.any()) {
         groups_.take_material(file, statement);
     } else {
         make(file, statement, *word);
@@ -58,18 +59,18 @@ void BlockStatements::make(const ast::File& file, const ast::Statement& statemen
     const bool material = word.keyword == vocabulary.material;
     const bool names_value = material || word.keyword == vocabulary.texture;
     const bool named = names_value || context_.text(word.keyword) == "camera";
-    if (names_value && statement.name == no_symbol)
+    if (names_value && file.name_of(statement) == no_symbol)
         context_.report.error(Message::block_name_missing, file.span(statement),
                               word.info->keyword);
-    if (!named && word.kind == no_symbol && statement.name != no_symbol)
+    if (!named && word.kind == no_symbol && file.name_of(statement) != no_symbol)
         context_.report.error(Message::block_takes_no_name, file.name_span(statement),
                               with_article(std::string(word.info->keyword)));
     BlockReader reader(context_, file, statement, word);
     std::uint32_t result = none;
     maker_of (*word.info)(reader, result);
-    if (!names_value || statement.name == no_symbol) return;
+    if (!names_value || file.name_of(statement) == no_symbol) return;
     Binding binding;
-    binding.name = statement.name;
+    binding.name = file.name_of(statement);
     binding.place = file.name_span(statement);
     if (result != none) binding.value = material ? Value::material(result) : Value::texture(result);
     names_.declare(std::move(binding));

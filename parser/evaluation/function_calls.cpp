@@ -111,7 +111,7 @@ bool FunctionCalls::arrange_named(const Run& run, std::size_t first, std::size_t
 /// Binds the parameters from `run.parameter` on, up to one whose default must be evaluated first.
 /// After the last one, the run goes on with the function's expression.
 void FunctionCalls::bind_parameters(Run& run) {
-    const ast::Range& range = run.function->arguments;
+    const ast::Range& range = run.file->parts_of(*run.function).arguments;
     const ast::Expression* next = &run.function->value;
     for (; run.parameter < range.size(); ++run.parameter) {
         Value& given = stack_[run.bottom - range.size() + run.parameter];
@@ -127,7 +127,7 @@ void FunctionCalls::bind_parameters(Run& run) {
 }
 
 void FunctionCalls::end(Run& run, Value result) {
-    const ast::Range& parameters = run.function->arguments;
+    const ast::Range& parameters = run.file->parts_of(*run.function).arguments;
     if (run.parameter < parameters.size()) {
         names_.scopes().bind(parameter_binding(
             *run.file, run.file->arguments[parameters.begin + run.parameter], std::move(result)));

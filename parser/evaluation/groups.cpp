@@ -20,7 +20,7 @@ static std::optional<Composite::Kind> joint_of(const Vocabulary& vocabulary, Sym
 
 Groups::Open Groups::open(const ast::File& file, const ast::Statement& statement,
                           const BlockWord& word) {
-    if (statement.name != no_symbol)
+    if (file.name_of(statement) != no_symbol)
         context_.report.error(Message::block_takes_no_name, file.name_span(statement),
                               with_article(std::string(word.info->keyword)));
     context_.builder.open_group(file.span(statement),

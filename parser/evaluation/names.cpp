@@ -56,8 +56,9 @@ SourceSpan Names::place_of_definition(const SourceSpan& use, Symbol name) const 
     for (const ast::Statement& s : file->statements) {
         const bool names_value = s.kind == Kind::block &&
                                  (s.word == vocabulary.material || s.word == vocabulary.texture);
-        if (s.name == name && (names_value || s.kind == Kind::let || s.kind == Kind::param ||
-                               s.kind == Kind::def || s.kind == Kind::func))
+        if (file->name_of(s) == name &&
+            (names_value || s.kind == Kind::let || s.kind == Kind::param || s.kind == Kind::def ||
+             s.kind == Kind::func))
             return file->name_span(s);
     }
     return {};

@@ -23,7 +23,7 @@ bool Parameters::give(Symbol name, Value value, std::vector<Given>& given, const
 void Parameters::report_unknown(Symbol name, const SourceSpan& place,
                                 const Context& context) const {
     Diagnostic* error = context.report.error(Message::unknown_argument, place,
-                                             context.text(definition_.name), context.text(name));
+                                             context.text(this->name()), context.text(name));
     if (error == nullptr) return;
     Suggestion suggestion(context.text(name));
     for (std::size_t i = 0; i < size(); ++i) suggestion.consider(context.text((*this)[i].name));

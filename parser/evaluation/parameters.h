@@ -21,12 +21,12 @@ class Parameters {
     Parameters(const ast::File& home, const ast::Statement& definition)
         : file_(home), definition_(definition) {}
 
-    std::size_t size() const { return definition_.arguments.size(); }
+    std::size_t size() const { return arguments().size(); }
     const ast::Argument& operator[](std::size_t i) const {
-        return file_.arguments[definition_.arguments.begin + i];
+        return file_.arguments[arguments().begin + i];
     }
     /// The name of the template or function.
-    Symbol name() const { return definition_.name; }
+    Symbol name() const { return file_.name_of(definition_); }
     const ast::File& file() const { return file_; }
 
     /// Gives the parameter `name` a value. False after an error.
@@ -34,6 +34,7 @@ class Parameters {
               const Context& context) const;
 
   private:
+    const ast::Range& arguments() const { return file_.parts_of(definition_).arguments; }
     void report_unknown(Symbol name, const SourceSpan& place, const Context& context) const;
 
     const ast::File& file_;

@@ -113,7 +113,7 @@ void Statements::end_frame() {
 /// The binding for the name that a statement declares, still without a value.
 static Binding binding_of(const ast::File& file, const ast::Statement& statement) {
     Binding binding;
-    binding.name = statement.name;
+    binding.name = file.name_of(statement);
     binding.place = file.name_span(statement);
     return binding;
 }
@@ -129,7 +129,7 @@ void Statements::execute_param(const ast::File& file, const ast::Statement& stat
         context_.report.error(Message::param_not_at_top, file.span(statement));
     Binding binding = binding_of(file, statement);
     binding.value = context_.expressions.evaluate(file, statement.value);
-    if (const Value* given = params_.take(statement.name)) binding.value = *given;
+    if (const Value* given = params_.take(binding.name)) binding.value = *given;
     names_.declare(std::move(binding));
 }
 
@@ -148,14 +148,15 @@ void Statements::execute_block(const ast::File& file, const ast::Statement& stat
     const BlockWord* group = blocks_.read_block(file, statement);
     if (group == nullptr) return;
     const Groups::Open outer = groups_.open(file, statement, *group);
-    push(Frame::Kind::group, file, statement.body).outer_group = outer;
+    push(Frame::Kind::group, file, file.parts_of(statement).body).outer_group = outer;
     names_.scopes().open();
 }
 
 void Statements::execute_call(const ast::File& file, const ast::Statement& statement) {
     const auto entered = templates_.enter(file, statement);
     if (!entered) return;
-    Frame& frame = push(Frame::Kind::call, entered->file, entered->definition.body);
+    Frame& frame =
+        push(Frame::Kind::call, entered->file, entered->file.parts_of(entered->definition).body);
     frame.caller = entered->caller;
     frame.outer_group = groups_.hide();
 }
@@ -169,16 +170,18 @@ void Statements::execute_include(const ast::File& file, const ast::Statement& st
 void Statements::execute_choice(const ast::File& file, const ast::Statement& statement) {
     bool result = false;
     if (!condition(file, statement.value, "'if'", result)) return;
-    if (!result && !statement.has_otherwise) return;
+    const ast::Parts& parts = file.parts_of(statement);
+    if (!result && !parts.otherwise) return;
     names_.scopes().open();
-    push(Frame::Kind::body, file, result ? statement.body : statement.otherwise);
+    push(Frame::Kind::body, file, result ? parts.body : *parts.otherwise);
 }
 
 void Statements::execute_loop(const ast::File& file, const ast::Statement& statement) {
     Value from = context_.expressions.evaluate(file, statement.value);
     Iteration iteration;
-    if (!statement.arguments.empty()) {
-        const ast::Expression& end = file.arguments[statement.arguments.begin].value;
+    const ast::Parts& parts = file.parts_of(statement);
+    if (!parts.arguments.empty()) {
+        const ast::Expression& end = file.arguments[parts.arguments.begin].value;
         const Value to = context_.expressions.evaluate(file, end);
         const bool good = is_range_bound(from, file.span(statement.value), context_.report);
         if (!is_range_bound(to, file.span(end), context_.report) || !good) return;
@@ -191,7 +194,7 @@ void Statements::execute_loop(const ast::File& file, const ast::Statement& state
     } else {
         iteration = Iteration::over(std::move(from));
     }
-    Frame& frame = push(Frame::Kind::loop, file, statement.body);
+    Frame& frame = push(Frame::Kind::loop, file, parts.body);
     frame.loop = &statement;
     frame.iteration = std::move(iteration);
     if (!next_iteration(frame)) frames_.pop_back();
@@ -228,8 +231,8 @@ void Statements::execute_assertion(const ast::File& file, const ast::Statement& 
     bool holds = false;
     if (!condition(file, statement.value, "'assert'", holds) || holds) return;
     std::string message(context_.sources.text(file.span(statement.value)));
-    if (!statement.arguments.empty()) {
-        const ast::Expression& given = file.arguments[statement.arguments.begin].value;
+    if (const ast::Range& said = file.parts_of(statement).arguments; !said.empty()) {
+        const ast::Expression& given = file.arguments[said.begin].value;
         const Value value = context_.expressions.evaluate(file, given);
         if (value.is_broken()) return;
         if (!value.is(Value::Kind::text)) {
@@ -243,9 +246,10 @@ void Statements::execute_assertion(const ast::File& file, const ast::Statement& 
 
 void Statements::execute_print(const ast::File& file, const ast::Statement& statement) {
     std::string line;
-    for (std::uint32_t i = statement.arguments.begin; i < statement.arguments.end; ++i) {
+    const ast::Range& printed = file.parts_of(statement).arguments;
+    for (std::uint32_t i = printed.begin; i < printed.end; ++i) {
         const Value value = context_.expressions.evaluate(file, file.arguments[i].value);
-        if (i > statement.arguments.begin) line += ' ';
+        if (i > printed.begin) line += ' ';
         line += to_text(value, context_.meter.text_left());
     }
     context_.meter.text(line.size() + sizeof(std::string), file.span(statement));

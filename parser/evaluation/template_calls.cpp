@@ -7,19 +7,20 @@ namespace lancer {
 void TemplateCalls::define(const ast::File& file, const ast::Statement& statement) {
     const SourceSpan place = file.name_span(statement);
     const Vocabulary& vocabulary = context_.vocabulary();
-    const std::string_view name = context_.text(statement.name);
+    const Symbol declared = file.name_of(statement);
+    const std::string_view name = context_.text(declared);
     const bool is_template = statement.kind == ast::Statement::Kind::def;
-    if (is_template && vocabulary.in_statements().knows(statement.name)) {
+    if (is_template && vocabulary.in_statements().knows(declared)) {
         context_.report.error(Message::template_takes_word, place, name);
         return;
     }
-    if (is_template && vocabulary.is_block(statement.name))
+    if (is_template && vocabulary.is_block(declared))
         context_.report.warning(Message::template_and_block, place, name, name);
-    if (names_.function(statement.name) != nullptr)
+    if (names_.function(declared) != nullptr)
         context_.report.warning(Message::hides_function, place, name);
     Binding binding;
     binding.kind = is_template ? Binding::Kind::definition : Binding::Kind::function;
-    binding.name = statement.name;
+    binding.name = declared;
     binding.place = place;
     binding.file = &file;
     binding.definition = &statement;
@@ -95,8 +96,9 @@ bool TemplateCalls::match(const ast::File& file, const ast::Statement& call,
     given.resize(parameters.size());
     bool good = true;
     bool named = false;
-    for (std::uint32_t i = 0; i < call.arguments.size(); ++i) {
-        const ast::Argument& argument = file.arguments[call.arguments.begin + i];
+    const ast::Range& arguments = file.parts_of(call).arguments;
+    for (std::uint32_t i = 0; i < arguments.size(); ++i) {
+        const ast::Argument& argument = file.arguments[arguments.begin + i];
         Value value = expressions_.evaluate(file, argument.value);
         if (argument.name != no_symbol) {
             named = true;
@@ -109,7 +111,7 @@ bool TemplateCalls::match(const ast::File& file, const ast::Statement& call,
             good = false;
             context_.report.error(Message::too_many_arguments, file.span(argument.value),
                                   context_.text(call.word), arguments_text(parameters.size()),
-                                  call.arguments.size());
+                                  arguments.size());
         } else {
             given[i] = {std::move(value), true};
         }

@@ -88,11 +88,11 @@ void report_unknown_block(const ast::File& file, const ast::Statement& block, co
     const Vocabulary& vocabulary = context.vocabulary();
     const SourceSpan place = file.span(block);
     const bool light = block.word == vocabulary.light;
-    if (light && block.name == no_symbol) {
+    if (light && file.name_of(block) == no_symbol) {
         report.error(Message::light_without_kind, place);
         return;
     }
-    const Symbol wrong = light ? block.name : block.word;
+    const Symbol wrong = light ? file.name_of(block) : block.word;
     const std::string word(context.text(wrong));
     Diagnostic* error = light ? report.error(Message::unknown_light, file.name_span(block), word)
                         : vocabulary.in_statements().knows(wrong)

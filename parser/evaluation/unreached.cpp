@@ -31,7 +31,7 @@ std::vector<const ast::File*> Unreached::files() const {
 }
 
 void Unreached::collect_names(const ast::File& file) {
-    for (const ast::Statement& statement : file.statements) declared_.insert(statement.name);
+    for (const ast::Parts& parts : file.parts) declared_.insert(parts.name);
     for (const ast::Argument& argument : file.arguments) declared_.insert(argument.name);
     declared_.insert(file.variables.begin(), file.variables.end());
 }
@@ -55,14 +55,15 @@ void Unreached::check_blocks(const ast::File& file) {
             statement.kind == Kind::block && !vocabulary.holds_statements(statement.word);
         if (!holds_properties) continue;
         if (!executed[i]) {
-            const BlockWord* word = vocabulary.block(statement.word, statement.name);
+            const BlockWord* word = vocabulary.block(statement.word, file.name_of(statement));
             if (word != nullptr) BlockReader(context_, file, statement, *word).check();
             continue;
         }
         // Nested materials stand before their block in the array, so go on inwards from here.
-        for (std::uint32_t j = statement.body.begin; j < statement.body.end; ++j) {
+        const ast::Range body = file.parts_of(statement).body;
+        for (std::uint32_t j = body.begin; j < body.end; ++j) {
             executed[j] = true;
-            const ast::Range inner = file.statements[j].body;
+            const ast::Range inner = file.parts_of(file.statements[j]).body;
             for (std::uint32_t k = inner.begin; k < inner.end; ++k) executed[k] = true;
         }
     }
@@ -76,14 +77,15 @@ void Unreached::check_words(const ast::File& file) {
         const ast::Statement& statement = file.statements[i];
         if (executed[i]) continue;
         if (statement.kind == Kind::block && !vocabulary.holds_statements(statement.word) &&
-            vocabulary.block(statement.word, statement.name) == nullptr)
+            vocabulary.block(statement.word, file.name_of(statement)) == nullptr)
             report_unknown_block(file, statement, context_.names, context_);
         if (statement.kind == Kind::call && !is_known(statement.word))
             context_.names.report_undefined(Message::function_not_defined, file.span(statement),
                                             statement.word, true);
         const bool word = statement.kind == Kind::property && vocabulary.takes_word(statement.word);
         check_names(file, statement.value, word);
-        for (std::uint32_t j = statement.arguments.begin; j < statement.arguments.end; ++j)
+        const ast::Range arguments = file.parts_of(statement).arguments;
+        for (std::uint32_t j = arguments.begin; j < arguments.end; ++j)
             check_names(file, file.arguments[j].value, false);
     }
 }
