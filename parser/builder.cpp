@@ -222,7 +222,7 @@ void Builder::end_statement() {
 
 ast::Statement Builder::finished() {
     const OpenStatement& open = open_.building.back();
-    ast::Statement statement = open;
+    ast::Statement statement = static_cast<const ast::Statement&>(open);
     if (open.name != no_symbol || !open.arguments.empty() || !open.body.empty() || open.otherwise) {
         statement.parts = static_cast<std::uint32_t>(file_.parts.size());
         make_room(file_.parts, 1);
