@@ -37,7 +37,9 @@ class Quantizer {
     std::uint16_t raw(double value) const {
         const double from_0 = value > 0 ? value : 0;
         const double to_1 = from_0 < 1 ? from_0 : 1;
-        return static_cast<std::uint16_t>(static_cast<int>(to_1 * top_ + 0.5));
+        // Halves go up, and no number is below 0.
+        return static_cast<std::uint16_t>(
+            static_cast<int>(to_1 * top_ + 0.5));  // NOLINT(bugprone-incorrect-roundings)
     }
 
   private:

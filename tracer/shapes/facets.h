@@ -191,8 +191,8 @@ SurfacePoint<Real> facet_point(const FacetSolid<Real>& solid, std::uint32_t face
     p.shading = Vec3<Real>(0);
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t corner = facet_corners[face % 2][i];
-        const Vec2<Real> at = low + size * Vec2<Real>(static_cast<Real>(corner % 4 / 3),
-                                                      static_cast<Real>(corner / 12));
+        const Vec2<Real> at = low + size * Vec2<Real>(static_cast<Real>(corner % 4 == 3),
+                                                      static_cast<Real>(corner >= 12));
         p.shading += weights[i] * facet_normal(home.points, at);
         place += weights[i] * at;
     }

@@ -119,11 +119,9 @@ void crossings(const TorusSolid<Real>& torus, const Ray<Real>& ray, const Inters
     const TorusLine<Real> line(torus, ray);
     const TorusSpans<Real> spans = line.spans();
     if (!hints.inside && spans.count == 0) return;
-    if (hints.inside)
-        crossings_from_torus(line, spans, hints, interval, report);
-    else if (hints.start_face == none)
+    if (!hints.inside && hints.start_face == none)
         crossings_in_turn(line, spans, hints, interval, report);
-    else if (!(interval.first >= 0 && leaves_torus_for_good(line, spans)))
+    else if (hints.inside || !(interval.first >= 0 && leaves_torus_for_good(line, spans)))
         crossings_from_torus(line, spans, hints, interval, report);
 }
 
