@@ -217,18 +217,17 @@ void Builder::end_statement() {
         within_.counts.pop_back();
     }
     make_room(open_.pending, 1);
-    open_.pending.push_back(finished());
+    open_.pending.push_back(closed(statement));
+    open_.building.pop_back();
 }
 
-ast::Statement Builder::finished() {
-    const OpenStatement& open = open_.building.back();
+ast::Statement Builder::closed(const OpenStatement& open) {
     ast::Statement statement = static_cast<const ast::Statement&>(open);
     if (open.name != no_symbol || !open.arguments.empty() || !open.body.empty() || open.otherwise) {
         statement.parts = static_cast<std::uint32_t>(file_.parts.size());
         make_room(file_.parts, 1);
         file_.parts.push_back(open);
     }
-    open_.building.pop_back();
     return statement;
 }
 

@@ -163,8 +163,8 @@ class Builder {
     void deeper(const char* at);
     void emit(ast::Op op, const char* begin, const char* end, std::uint64_t payload);
     void pop_operator();
-    /// The innermost begun statement, which is now complete, with its parts in the file.
-    ast::Statement finished();
+    /// A begun statement that is now complete; its parts go to the file.
+    ast::Statement closed(const OpenStatement& open);
     ast::Range flush(std::size_t from);
     /// Reserves room for `more` elements. When the array is full, the new capacity assumes that the
     /// rest of the text is like the part that was read; otherwise a long script would be copied

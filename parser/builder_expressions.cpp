@@ -247,7 +247,8 @@ void Builder::end_in_place() {
     block.op = Op::block;
     block.payload = file_.statements.size();
     file_.steps.push_back(block);
-    file_.statements.push_back(finished());
+    file_.statements.push_back(closed(open_.building.back()));
+    open_.building.pop_back();
     last_end_ = last_brace_;
 }
 

@@ -142,13 +142,11 @@ const char* Builder::recover(const Mark& mark, const SyntaxError& error) {
     open_.contexts.back().damaged = true;
     if (in_statement && broken.name != no_symbol && broken.kind != Kind::loop) {
         // Its value and other parts are cut.
-        OpenStatement& declaration = open_.building.emplace_back();
-        declaration = broken;
-        declaration.kind = Kind::broken;
-        declaration.value = {};
-        declaration.arguments = declaration.body = {};
-        declaration.otherwise.reset();
-        open_.pending.push_back(finished());
+        broken.kind = Kind::broken;
+        broken.value = {};
+        broken.arguments = broken.body = {};
+        broken.otherwise.reset();
+        open_.pending.push_back(closed(broken));
     }
     nesting_ = mark.nesting;
     if (error.message == Message::comment_not_closed) return text_.data() + text_.size();

@@ -46,7 +46,7 @@ void traverse(const Bvh<Real>& bvh, const Ray<Real>& ray, Real t_min, Limit&& li
             if (met != 0 && (item = next_met()).child != none) {
                 // Insertion sort into the stack, farthest first. The nearest child is visited next.
                 const std::size_t base = top;
-                while (met != 0) {
+                while (met != 0) {  // NOLINT(bugprone-infinite-loop): next_met() changes it
                     Waiting other = next_met();
                     if (other.child == none) break;
                     if (other.near < item.near) std::swap(item, other);

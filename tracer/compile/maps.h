@@ -69,19 +69,6 @@ Frame<Real> make_frame(const Affine<Real>& map) {
     return frame;
 }
 
-/// How far rounding may have moved points at this distance from the origin before the map's shift:
-/// as far as its linear part allows.
-template <class Real>
-Real turned_by(const Affine<Real>& map, Real distance) {
-    Real most = 0;
-    for (const Vec3<Real>& row : map.rows) {
-        if (keeps_digits(row)) continue;
-        const Real lost = gamma<Real>(8) * dot(absolute(row), Vec3<Real>(distance));
-        if (lost > most) most = lost;
-    }
-    return most;
-}
-
 /// How far rounding may have moved these points: as far as the map's own rounded numbers and the
 /// operations on them allow, and what the last sum loses; not at all where digits are only moved. A
 /// shift that changes no digit adds nothing.
@@ -98,6 +85,14 @@ Real moved_by(const Affine<Real>& map, std::initializer_list<Vec3<Real>> points)
         }
     }
     return most + map.shift_error;
+}
+
+/// The same for lengths, which the map's shift does not move.
+template <class Real>
+Real resized_by(Affine<Real> map, Real length) {
+    map.shift = Vec3<Real>(0);
+    map.shift_error = 0;
+    return moved_by(map, {Vec3<Real>(length)});
 }
 
 }  // namespace lancer

@@ -100,7 +100,7 @@ class ShapeCompiler {
         if (is_identity(map)) return ball;
         if (const Real factor = similarity(map); factor > 0)
             return BallSolid<Real>{map_point(map, ball.center), ball.radius * factor,
-                                   moved_by(map, {ball.center}) + turned_by(map, ball.radius)};
+                                   moved_by(map, {ball.center}) + resized_by(map, ball.radius)};
         add_frame(map, p);
         return ball;
     }
@@ -143,7 +143,7 @@ class ShapeCompiler {
         Real transform_error = 0;
         if (!is_identity(map)) {
             if (const Real factor = similarity(map); factor > 0) {
-                transform_error = moved_by(map, {small, large}) + turned_by(map, large_radius);
+                transform_error = moved_by(map, {small, large}) + resized_by(map, large_radius);
                 small = map_point(map, small);
                 large = map_point(map, large);
                 small_radius *= factor;

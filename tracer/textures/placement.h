@@ -27,7 +27,7 @@ Real whole_part(Real x, Real bound) {
 template <class Real>
 struct Placement {
     Affine<Real> map;    ///< of points relative to `from`
-    Vec3<Real> bound{};  ///< error from the rounding of the primitive's own coordinates
+    Vec3<Real> bound{};  ///< how far rounding may have moved the primitive or the texture
     Vec3<Real> from{};   ///< a point with the texture: its origin, or that of the object
 };
 

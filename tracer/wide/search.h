@@ -108,7 +108,7 @@ LANCER_INLINE void descend(const Tree& tree, const Mesh* meshes, const LoneSlabs
             }
             if (met != 0 && (item = next_met()).child != nothing) {
                 const int base = top;
-                while (met != 0) {
+                while (met != 0) {  // NOLINT(bugprone-infinite-loop): next_met() changes it
                     Waiting other = next_met();
                     if (other.child == nothing) break;
                     if (other.near < item.near) {
