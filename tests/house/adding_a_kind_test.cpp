@@ -89,6 +89,8 @@ std::string source_of(const std::string& file) {
     if (file.ends_with(".cpp")) return file;
     if (file == "model/light_facts.h") return "cli/scene_summary.cpp";
     if (file.starts_with("model/")) return "cli/scene_digest.cpp";
+    if (file == "tracer/compile/shape_compiler.h" || file == "tracer/compile/texture_binder.h")
+        return "tracer/compile/geometry_double.cpp";
     return file.starts_with("tracer/wide/") ? "tracer/wide/level_avx2.cpp"
                                             : "tracer/render_double.cpp";
 }

@@ -1,6 +1,8 @@
 #include "tests/quad/renderer.h"
 
 #include "tests/quad/quad.h"
+#include "tracer/compile/geometry_build.h"
+#include "tracer/intersect/searches_build.h"
 #include "tracer/recursion/cut_tracer_build.h"
 #include "tracer/recursion/recorded_tracer_build.h"
 #include "tracer/renderer_of.h"

@@ -115,9 +115,11 @@ TEST(SeeThrough, GivesTheSameBitsAsFromContactToContact) {
             if (!at) continue;
             SeeThrough<double> see_through(*world, at->distance);
             const Occlusion occlusion = query_occlusion(*world, at->ray, at->distance, at->start,
-                                                        at->media.bodies, &see_through);
+                                                        at->media.bodies, &see_through)
+                                            .occlusion;
             const Occlusion plain =
-                query_occlusion(*world, at->ray, at->distance, at->start, at->media.bodies);
+                query_occlusion(*world, at->ray, at->distance, at->start, at->media.bodies)
+                    .occlusion;
             EXPECT_EQ(occlusion == Occlusion::blocked, plain == Occlusion::blocked);
             if (plain == Occlusion::blocked) continue;
             ++filtered;

@@ -4,6 +4,7 @@
 #include "tests/extremes/stage.h"
 #include "tests/tracer/scene_kit.h"
 #include "tracer/compile/compile.h"
+#include "tracer/compile/primitive_bounds.h"
 
 namespace lancer {
 namespace {

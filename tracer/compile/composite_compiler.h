@@ -36,9 +36,9 @@ struct FaceCount {
 
 /// The bounds of a leaf. A half space perpendicular to a coordinate axis is bounded on one side.
 template <class Real>
-Bounds<Real> leaf_bounds(const World<Real>& world, const Primitive<Real>& leaf) {
+Bounds<Real> leaf_bounds(const Geometry<Real>& geometry, const Primitive<Real>& leaf) {
     const auto* half = std::get_if<HalfSpace<Real>>(&leaf.solid);
-    if (half == nullptr) return bounds_of(world, leaf);
+    if (half == nullptr) return bounds_of(geometry, leaf);
     Bounds<Real> box = solid_bounds(*half);
     const Vec3<Real>& n = half->normal;
     if ((n.x != 0) + (n.y != 0) + (n.z != 0) != 1) return box;
@@ -83,8 +83,8 @@ Bounds<Real> composite_bounds(const Composite& from, const std::vector<Bounds<Re
 template <class Real>
 class CompositeCompiler {
   public:
-    CompositeCompiler(const Composite& from, const World<Real>& world) : from_(from) {
-        tree_.frames = &world.frames;
+    CompositeCompiler(const Composite& from, const Geometry<Real>& geometry) : from_(from) {
+        tree_.frames = &geometry.frames;
     }
 
     /// Adds the next leaf.
@@ -100,7 +100,8 @@ class CompositeCompiler {
         tree_.leaves.push_back(leaf);
     }
 
-    CompositeTree<Real> finish(const World<Real>& world, const SourceSpan& place, int threads) {
+    CompositeTree<Real> finish(const Geometry<Real>& geometry, const SourceSpan& place,
+                               int threads) {
         if (faces_ >= hidden_face)
             throw SceneError(place, "the parts of this body have more than 2 billion faces");
         add_nodes();
@@ -109,7 +110,7 @@ class CompositeCompiler {
         std::vector<std::uint32_t> bounded;
         for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
             const Primitive<Real>& leaf = tree_.leaves[i].primitive;
-            boxes.push_back(leaf_bounds(world, leaf));
+            boxes.push_back(leaf_bounds(geometry, leaf));
             if (std::holds_alternative<HalfSpace<Real>>(leaf.solid)) {
                 tree_.half_spaces.push_back(i);
             } else {

@@ -1,7 +1,7 @@
 // Bounding boxes of primitives in world space.
 #pragma once
 
-#include "tracer/scene/world.h"
+#include "tracer/scene/geometry.h"
 
 namespace lancer {
 
@@ -108,10 +108,10 @@ Bounds<Real> mapped(const Bounds<Real>& b, const Affine<Real>& map) {
 }
 
 template <class Real>
-Bounds<Real> bounds_of(const World<Real>& world, const Primitive<Real>& p) {
+Bounds<Real> bounds_of(const Geometry<Real>& geometry, const Primitive<Real>& p) {
     const Bounds<Real> own =
         widened(std::visit([](const auto& solid) { return solid_bounds(solid); }, p.solid));
-    return p.frame == none ? own : widened(mapped(own, world.frames[p.frame].to_world));
+    return p.frame == none ? own : widened(mapped(own, geometry.frames[p.frame].to_world));
 }
 
 /// Visits boxes that together contain all items of a tree: the boxes `levels` levels below its
@@ -152,17 +152,17 @@ Bounds<Real> box_of_turned(const TorusSolid<Real>& torus, const Affine<Real>& to
 /// of its parts. The mapped box of the whole mesh has up to three times the area, and each ray that
 /// meets it must be mapped to the mesh's space.
 template <class Real>
-Bounds<Real> box_in_tree(const World<Real>& world, const Primitive<Real>& p) {
-    Bounds<Real> box = bounds_of(world, p);
+Bounds<Real> box_in_tree(const Geometry<Real>& geometry, const Primitive<Real>& p) {
+    Bounds<Real> box = bounds_of(geometry, p);
     if (const auto* torus = std::get_if<TorusSolid<Real>>(&p.solid); torus && p.frame != none)
-        return box_of_turned(*torus, world.frames[p.frame].to_world);
+        return box_of_turned(*torus, geometry.frames[p.frame].to_world);
     const auto* instance = std::get_if<MeshInstance<Real>>(&p.solid);
     if (instance == nullptr || p.frame == none) return box;
     const Bvh<Real>& tree = instance->mesh->bvh;
     if (tree.nodes.empty()) return box;
     Bounds<Real> parts;
     for_each_box_near_root(tree, tree.nodes.front(), 2, [&](const Bounds<Real>& part) {
-        parts.extend(mapped(part, world.frames[p.frame].to_world));
+        parts.extend(mapped(part, geometry.frames[p.frame].to_world));
     });
     parts = widened(parts);
     for (int i = 0; i < 3; ++i) {

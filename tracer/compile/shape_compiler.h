@@ -14,8 +14,8 @@
 #include "tracer/compile/maps.h"
 #include "tracer/compile/scale.h"
 #include "tracer/rays/frame.h"
+#include "tracer/scene/geometry.h"
 #include "tracer/scene/povray_rules.h"
-#include "tracer/scene/world.h"
 #include "tracer/tessellation/tessellate.h"
 
 namespace lancer {
@@ -35,11 +35,11 @@ class ShapeCompiler {
   public:
     /// \param by_povray  POV-Ray's rules, by which patches are then drawn; may be null
     ShapeCompiler(const Scene& scene, const Settings& settings, const PovRayRules* by_povray,
-                  World<Real>& world)
+                  Geometry<Real>& geometry)
         : scene_(scene),
           settings_(settings),
           by_povray_(by_povray),
-          world_(world),
+          geometry_(geometry),
           tessellated_(settings.tolerance || std::ranges::any_of(scene.patches, [](const Patch& p) {
                            return p.tolerance.has_value();
                        })) {
@@ -65,7 +65,7 @@ class ShapeCompiler {
         if (mesh != nullptr) return mesh->exponent;
         const bool identity = scene_.transforms[object.transform] == Affine<double>{};
         return identity && !std::holds_alternative<PatchRef>(object.shape)
-                   ? world_.scale_exponent
+                   ? geometry_.scale_exponent
                    : exponent_for(extent_of(object.shape, scene_));
     }
 
@@ -74,9 +74,9 @@ class ShapeCompiler {
     Affine<Real> scaled_map(const Affine<double>& m, int own) const {
         Affine<double> in_world;
         for (std::size_t i = 0; i < 3; ++i)
-            in_world.rows[i] = scaled(m.rows[i], world_.scale_exponent - own);
-        in_world.shift = scaled(m.shift, world_.scale_exponent);
-        in_world.shift_error = std::ldexp(m.shift_error, world_.scale_exponent);
+            in_world.rows[i] = scaled(m.rows[i], geometry_.scale_exponent - own);
+        in_world.shift = scaled(m.shift, geometry_.scale_exponent);
+        in_world.shift_error = std::ldexp(m.shift_error, geometry_.scale_exponent);
         return convert<Real>(in_world);
     }
 
@@ -87,8 +87,8 @@ class ShapeCompiler {
         const Real least = 16 * sqrt(std::numeric_limits<Real>::min());
         if (!(frame.norm > least && frame.inverse_norm * least < 1))
             throw SceneError(object_->place, out_of_range);
-        p.frame = static_cast<std::uint32_t>(world_.frames.size());
-        world_.frames.push_back(frame);
+        p.frame = static_cast<std::uint32_t>(geometry_.frames.size());
+        geometry_.frames.push_back(frame);
     }
 
     static Vec3<Real> point(const Vec3d& p, int own) { return convert<Real>(scaled(p, own)); }
@@ -221,8 +221,8 @@ class ShapeCompiler {
                     back, convert<Wide<Real>>(given / max_component(absolute(given))));
                 normals[i] = convert<Real>(normalize(n / max_component(absolute(n))));
             }
-            p.corner_normals = static_cast<std::uint32_t>(world_.corner_normals.size());
-            world_.corner_normals.push_back(normals);
+            p.corner_normals = static_cast<std::uint32_t>(geometry_.corner_normals.size());
+            geometry_.corner_normals.push_back(normals);
         }
         return TriangleSheet<Real>{
             corner(0), corner(1), corner(2),
@@ -250,10 +250,10 @@ class ShapeCompiler {
                     object_->place,
                     "this patch would need more than 50 million triangles for its tolerance: "
                     "increase the tolerance of the patch or of the whole picture");
-            world_.patches.push_back(
-                std::make_unique<PatchSurface<Real>>(scene_.patches[ref.patch], tolerance,
-                                                     &world_.patch_borders, own, settings_.smooth));
-            surface = world_.patches.back().get();
+            geometry_.patches.push_back(std::make_unique<PatchSurface<Real>>(
+                scene_.patches[ref.patch], tolerance, &geometry_.patch_borders, own,
+                settings_.smooth));
+            surface = geometry_.patches.back().get();
         }
         return PatchSolid<Real>{surface, settings_.smooth};
     }
@@ -270,15 +270,16 @@ class ShapeCompiler {
             alike = alike && patches.back().second == patches.front().second;
         }
         if (alike) return;
-        for (const auto& [patch, tolerance] : patches) world_.patch_borders.add(*patch, tolerance);
+        for (const auto& [patch, tolerance] : patches)
+            geometry_.patch_borders.add(*patch, tolerance);
     }
 
     Solid<Real> bicubic(const PatchRef& ref, int own) {
         auto& surface = bicubics_[{ref.patch, own}];
         if (surface == nullptr) {
-            world_.bicubics.push_back(
+            geometry_.bicubics.push_back(
                 std::make_unique<BicubicSurface<Real>>(scene_.patches[ref.patch], own));
-            surface = world_.bicubics.back().get();
+            surface = geometry_.bicubics.back().get();
         }
         return BicubicSolid<Real>{surface};
     }
@@ -296,8 +297,8 @@ class ShapeCompiler {
                 typename FacetSurface<Real>::Home home;
                 const BezierPatch from = net.patch(i, j);
                 for (std::size_t k = 0; k < 16; ++k)
-                    home.points[k] =
-                        convert<Real>(scaled(map_point(to_world, from[k]), world_.scale_exponent));
+                    home.points[k] = convert<Real>(
+                        scaled(map_point(to_world, from[k]), geometry_.scale_exponent));
                 for (const Vec3<Real>& p : home.points)
                     surface->reach = std::max(surface->reach, max_component(absolute(p)));
                 home.column = static_cast<Real>(j);
@@ -305,13 +306,13 @@ class ShapeCompiler {
                 surface->homes.push_back(home);
             }
         }
-        world_.facets.push_back(std::move(surface));
-        return FacetSolid<Real>{world_.facets.back().get()};
+        geometry_.facets.push_back(std::move(surface));
+        return FacetSolid<Real>{geometry_.facets.back().get()};
     }
 
     /// The tolerance of a patch in its own space: the strictest of all that apply. The tolerance of
     /// the settings is in units of the scene's world. A patch's own tolerance must hold both in its
-    /// own space and in the world, so that it holds in whichever way a user reads it.
+    /// own space and in the geometry, so that it holds in whichever way a user reads it.
     std::optional<double> own_tolerance(const Object& object, const PatchRef& ref) const {
         const double growth = largest_stretch(scene_.transforms[object.transform]);
         std::optional<double> tolerance;
@@ -330,8 +331,8 @@ class ShapeCompiler {
         auto surface = std::make_unique<splines::Revolution<Real>>(
             splines::make_revolution<Real>(profile_curve(lathe.spline, lathe.profile)));
         surface->curve.exponent += own;
-        world_.revolutions.push_back(std::move(surface));
-        return LatheSolid<Real>{world_.revolutions.back().get()};
+        geometry_.revolutions.push_back(std::move(surface));
+        return LatheSolid<Real>{geometry_.revolutions.back().get()};
     }
 
     Solid<Real> solid(const PrismRef& ref, int own, const Affine<Real>& map,
@@ -341,8 +342,8 @@ class ShapeCompiler {
         auto surface = std::make_unique<splines::Extrusion<Real>>(splines::make_extrusion<Real>(
             outline_curve(prism.spline, prism.outline), prism.bottom, prism.top, prism.capped));
         surface->curve.exponent += own;
-        world_.extrusions.push_back(std::move(surface));
-        return PrismSolid<Real>{world_.extrusions.back().get(), own};
+        geometry_.extrusions.push_back(std::move(surface));
+        return PrismSolid<Real>{geometry_.extrusions.back().get(), own};
     }
 
     /// Never used: the leaves are made one by one (composite_compiler.h).
@@ -354,7 +355,7 @@ class ShapeCompiler {
     const Scene& scene_;
     const Settings& settings_;
     const PovRayRules* by_povray_;
-    World<Real>& world_;
+    Geometry<Real>& geometry_;
     /// Patches are tessellated if the settings or any patch has a tolerance; otherwise rays meet
     /// the true surfaces. All patches are treated alike: light would leak between a triangle and
     /// the true border of its neighbour.

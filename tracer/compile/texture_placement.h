@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/affine.h"
-#include "tracer/scene/world.h"
+#include "tracer/scene/geometry.h"
 
 namespace lancer {
 
@@ -42,14 +42,14 @@ class PlacedTexture {
     /// \param own       exponent: coordinates in a frame are scaled by 2^own
     PlacedTexture(const Affine<double>& texture, const Affine<double>& home,
                   const Affine<double>& to_world, const Primitive<Real>& primitive, int own,
-                  const World<Real>& world)
+                  const Geometry<Real>& geometry)
         : reference_(rounding_of(home, texture.shift) == 0 ? convert<long double>(texture.shift)
                                                            : Vector(0)),
           texture_(convert<long double>(texture)),
           home_(convert<long double>(home)),
           to_world_(convert<long double>(to_world)),
           primitive_(primitive),
-          unit_(std::ldexp(1.0L, primitive.frame == none ? world.scale_exponent : own)),
+          unit_(std::ldexp(1.0L, primitive.frame == none ? geometry.scale_exponent : own)),
           is_in_world_(primitive.frame == none),
           is_at_home_(home == to_world) {}
 

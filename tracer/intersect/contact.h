@@ -10,7 +10,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include "tracer/rays/crossing.h"
-#include "tracer/scene/world.h"
+#include "tracer/scene/geometry.h"
 
 namespace lancer {
 
@@ -90,12 +90,12 @@ class NearestContact {
 
 /// Sorts a contact: entries before exits, each in the order of declaration.
 template <class Real>
-void order_contact(const World<Real>& world, Contact<Real>& contact) {
+void order_contact(const Geometry<Real>& geometry, Contact<Real>& contact) {
     if (contact.size() < 2) return;
     std::sort(contact.begin(), contact.end(), [&](const Hit<Real>& a, const Hit<Real>& b) {
         if (a.surface.entering != b.surface.entering) return a.surface.entering;
-        const std::uint32_t object_a = world.primitives[a.surface.primitive].object;
-        const std::uint32_t object_b = world.primitives[b.surface.primitive].object;
+        const std::uint32_t object_a = geometry.primitives[a.surface.primitive].object;
+        const std::uint32_t object_b = geometry.primitives[b.surface.primitive].object;
         if (object_a != object_b) return object_a < object_b;
         return a.surface.face < b.surface.face;
     });

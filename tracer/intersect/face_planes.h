@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "tracer/scene/world.h"
+#include "tracer/scene/geometry.h"
 
 namespace lancer {
 

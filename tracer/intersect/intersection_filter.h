@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "tracer/rays/crossing.h"
-#include "tracer/scene/world.h"
+#include "tracer/scene/geometry.h"
 
 namespace lancer {
 
@@ -46,8 +46,9 @@ struct Start {
 template <class Real, class Bodies>
 class IntersectionFilter {
   public:
-    IntersectionFilter(const World<Real>& world, const Start<Real>& start, const Bodies& bodies)
-        : world_(world), start_(start), bodies_(bodies) {
+    IntersectionFilter(const Geometry<Real>& geometry, const Start<Real>& start,
+                       const Bodies& bodies)
+        : geometry_(geometry), start_(start), bodies_(bodies) {
         if (start.surfaces.empty()) return;
         touched_ = start.surfaces.front().primitive;
         touches_more_ = start.surfaces.size() > 1;
@@ -61,7 +62,7 @@ class IntersectionFilter {
             }
         }
         if constexpr (lists_media) {
-            if (is_medium(world_.primitives[primitive])) {
+            if (is_medium(geometry_.primitives[primitive])) {
                 k.inside = contains(bodies_, primitive);
                 k.one_way = true;
             }
@@ -71,7 +72,7 @@ class IntersectionFilter {
 
     /// Whether the crossing counts.
     bool operator()(std::uint32_t primitive, const Crossing<Real>& c) const {
-        const Primitive<Real>& p = world_.primitives[primitive];
+        const Primitive<Real>& p = geometry_.primitives[primitive];
         const Real ahead = c.t - start_.t;
         if (ahead < -c.error) return false;
         const bool touched = starts_on(primitive);
@@ -85,14 +86,14 @@ class IntersectionFilter {
     const Start<Real>& start() const { return start_; }
     /// Whether the ray is in the body; nothing if the body is not a medium.
     std::optional<bool> state_of(std::uint32_t primitive) const {
-        if (!is_medium(world_.primitives[primitive])) return std::nullopt;
+        if (!is_medium(geometry_.primitives[primitive])) return std::nullopt;
         return contains_here(primitive);
     }
 
     /// Whether an entry (`entering`) or an exit counts, if it lies ahead by more than its error and
     /// the ray does not start on the primitive.
     bool lets_pass(std::uint32_t primitive, bool entering) const {
-        return !is_medium(world_.primitives[primitive]) || contains_here(primitive) != entering;
+        return !is_medium(geometry_.primitives[primitive]) || contains_here(primitive) != entering;
     }
 
     /// The parameter of a crossing that counts: the start if rounding put the crossing before it.
@@ -118,8 +119,8 @@ class IntersectionFilter {
         MediaList found;
         if constexpr (lists_media) {
             for (const std::uint32_t body : bodies_) {
-                if (body < world_.bounded && is_medium(world_.primitives[body]) &&
-                    (world_.primitives[body].composite() != nullptr ||
+                if (body < geometry_.bounded && is_medium(geometry_.primitives[body]) &&
+                    (geometry_.primitives[body].composite() != nullptr ||
                      (touches_more_ && starts_on(body))))
                     found.push_back(body);
             }
@@ -150,14 +151,14 @@ class IntersectionFilter {
     }
 
     bool is_medium(const Primitive<Real>& p) const {
-        return lists_media && p.medium && world_.has_media;
+        return lists_media && p.medium && geometry_.has_media;
     }
     bool contains_here(std::uint32_t primitive) const {
         if constexpr (lists_media) return contains(bodies_, primitive);
         return false;
     }
 
-    const World<Real>& world_;
+    const Geometry<Real>& geometry_;
     const Start<Real>& start_;
     const Bodies& bodies_;
     std::uint32_t touched_ = none;  ///< the first primitive that the ray starts on

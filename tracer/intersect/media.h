@@ -3,8 +3,9 @@
 
 #include <optional>
 
-#include "tracer/intersect/nearest_contact.h"
-#include "tracer/rays/crossing.h"
+#include "tracer/intersect/contact.h"
+#include "tracer/intersect/intersection_filter.h"
+#include "tracer/scene/world.h"
 
 namespace lancer {
 
@@ -28,30 +29,7 @@ const MediaList& optical_of(const World<Real>& world, const Media& media) {
 /// Whether the ray's origin lies in the body. An origin on its surface belongs to the side that the
 /// ray goes to.
 template <class Real>
-bool starts_inside(const World<Real>& world, std::uint32_t index, const Ray<Real>& ray) {
-    const Primitive<Real>& p = world.primitives[index];
-    if (const auto* half = std::get_if<HalfSpace<Real>>(&p.solid)) {
-        using std::abs;
-        const Vec3<Real> rel = start_from(ray, half->point);
-        const Real height = dot(half->normal, rel);
-        const Real bound =
-            ray.origin_error + gamma<Real>(4) * dot(absolute(half->normal), absolute(rel));
-        if (abs(height) > bound) return height < 0;
-        return dot(half->normal, ray.dir) < 0;
-    }
-    if (const CompositeTree<Real>* tree = p.composite()) {
-        const Start<Real> here;
-        const CompositeStart<Real> known{&here, index};
-        return CompositeWalk<Real>(*tree, ray, known).starts_inside();
-    }
-    int balance = 0;  // exits minus entries ahead
-    primitive_crossings(world, p, ray, IntersectionHints{}, whole_line<Real>(),
-                        [&](const Crossing<Real>& c, Real, Real) {
-                            if (c.t > c.error) balance += c.entering ? -1 : 1;
-                            return false;
-                        });
-    return balance > 0;
-}
+bool starts_inside(const Geometry<Real>& geometry, std::uint32_t index, const Ray<Real>& ray);
 
 /// The bodies around the origins of camera rays. The bodies whose bounds contain an origin are
 /// found once for all rays that share it.

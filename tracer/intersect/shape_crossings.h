@@ -3,7 +3,7 @@
 
 #include "tracer/rays/crossing.h"
 #include "tracer/rays/shear.h"
-#include "tracer/scene/world.h"
+#include "tracer/scene/geometry.h"
 
 namespace lancer {
 

@@ -12,6 +12,13 @@
 
 namespace lancer {
 
+/// The ray that continues from a surface. The smallest distance of hits keeps it from meeting the
+/// surface again.
+template <class Real>
+Ray<Real> ray_from(const Surface<Real>& s, const Vec3<Real>& direction) {
+    return make_ray(s.position, s.position_lo, direction, s.error);
+}
+
 /// The share of light that reaches the start of `ray` from `distance` away.
 template <class Real, class Rules>
 requires requires(const Rules& rules, const Ray<Real>& ray) {

@@ -9,35 +9,17 @@
 #pragma once
 
 #include "tracer/intersect/media.h"
+#include "tracer/intersect/passes.h"
 #include "tracer/shading/unrecorded.h"
 
 namespace lancer {
 
-/// The crossings of a shadow ray with transmissive primitives.
+/// The light that passes the crossings which one search has found.
 template <class Real>
-class SeeThrough {
+class SeeThrough : public Passes<Real> {
   public:
     /// \param distance  to the light
-    SeeThrough(const World<Real>& world, Real distance) : world_(world), distance_(distance) {}
-
-    /// The end of the search, a little beyond the light: a crossing near the light may lie before
-    /// it when another formula computes it.
-    Real reach() const { return distance_ * (1 + Real(0x1p-20)); }
-
-    /// Adds one crossing of a transmissive primitive.
-    ///
-    /// \param touched  whether the ray starts on the primitive
-    void add(std::uint32_t primitive, const Crossing<Real>& c, bool touched) {
-        const Real margin = apart * c.error;
-        if (c.t < -margin || c.t > distance_ + margin) return;
-        const Primitive<Real>& p = world_.primitives[primitive];
-        const Finish<Real>& finish = world_.finishes[p.material];
-        const bool plain = finish.texture == none && !(p.medium && finish.absorbs);
-        const bool between = c.t > margin && c.t < distance_ - margin;
-        if (!plain || !between || passes_.size() == most || p.composite() != nullptr)
-            clear_ = false;
-        if (clear_) passes_.push_back({c.t, c.error, primitive, c.entering, touched});
-    }
+    SeeThrough(const World<Real>& world, Real distance) : Passes<Real>(distance), world_(world) {}
 
     /// Sorts the crossings. Returns whether they are enough for transmittance().
     ///
@@ -49,11 +31,10 @@ class SeeThrough {
             const Primitive<Real>& p = world_.primitives[body];
             if (!p.casts_shadow || world_.finishes[p.material].absorbs) return false;
         }
-        std::sort(passes_.begin(), passes_.end(),
-                  [](const Pass& a, const Pass& b) { return a.t < b.t; });
-        for (std::size_t i = 1; i < passes_.size(); ++i) {
-            const Pass& before = passes_[i - 1];
-            const Pass& pass = passes_[i];
+        std::sort(all_.begin(), all_.end(), [](const Pass& a, const Pass& b) { return a.t < b.t; });
+        for (std::size_t i = 1; i < all_.size(); ++i) {
+            const Pass& before = all_[i - 1];
+            const Pass& pass = all_[i];
             // light_by_contacts() uses another formula for a primitive that the ray starts on, once
             // the ray has passed another surface.
             if (pass.touched || !(pass.t - before.t > apart * (before.error + pass.error)))
@@ -66,7 +47,7 @@ class SeeThrough {
     template <class Recorder = const Unrecorded>
     Vec3<Real> transmittance(MediaList bodies, Recorder& recorder = unrecorded) const {
         Vec3<Real> light(1);
-        for (const Pass& pass : passes_) {
+        for (const Pass& pass : all_) {
             const Primitive<Real>& p = world_.primitives[pass.primitive];
             if (p.medium) {
                 if (contains(bodies, pass.primitive) == pass.entering) continue;
@@ -83,31 +64,22 @@ class SeeThrough {
     }
 
   private:
-    struct Pass {
-        Real t, error;
-        std::uint32_t primitive;
-        bool entering;
-        bool touched;
-    };
-
-    /// In error bounds. Hits of one contact lie within two of them (NearestContact).
-    static constexpr Real apart = 8;
-    static constexpr std::size_t most = 64;
+    using Passes<Real>::all_;
+    using Passes<Real>::apart;
+    using Passes<Real>::clear_;
+    using typename Passes<Real>::Pass;
 
     /// Whether the ray starts on a body that it is inside of, and its first crossing is not with
     /// that body. The light may be inside, or rounding may hide the exit.
     bool hides_a_way_out(const Start<Real>& start, const MediaList& bodies) const {
-        return std::any_of(
-            start.surfaces.begin(), start.surfaces.end(), [&](const SurfaceId& surface) {
-                if (!contains(bodies, surface.primitive)) return false;
-                return passes_.empty() || passes_.front().primitive != surface.primitive;
-            });
+        return std::any_of(start.surfaces.begin(), start.surfaces.end(),
+                           [&](const SurfaceId& surface) {
+                               if (!contains(bodies, surface.primitive)) return false;
+                               return all_.empty() || all_.front().primitive != surface.primitive;
+                           });
     }
 
     const World<Real>& world_;
-    Real distance_;
-    bool clear_ = true;
-    boost::container::small_vector<Pass, 16> passes_;
 };
 
 }  // namespace lancer

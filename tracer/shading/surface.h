@@ -1,10 +1,9 @@
 // From a hit to a surface: its point, normals, colour and transmittance.
 #pragma once
 
-#include "tracer/intersect/nearest_contact.h"
-#include "tracer/rays/crossing.h"
+#include "tracer/intersect/contact.h"
+#include "tracer/intersect/local_point.h"
 #include "tracer/rays/frame.h"
-#include "tracer/rays/surface_point.h"
 #include "tracer/shading/texture_color.h"
 
 namespace lancer {
@@ -32,39 +31,6 @@ template <class Real>
 std::uint32_t left_for_good(const Surface<Real>& s, const Vec3<Real>& direction) {
     const bool stays_out = s.primitive->convex || s.outermost;
     return stays_out && dot(s.geometric, direction) > 0 ? s.id.primitive : none;
-}
-
-template <class Real>
-SurfacePoint<Real> local_point(const World<Real>& world, const Primitive<Real>& primitive,
-                               const Ray<Real>& ray, const Hit<Real>& hit) {
-    return std::visit(
-        [&](const auto& solid) -> SurfacePoint<Real> {
-            using S = std::decay_t<decltype(solid)>;
-            if constexpr (std::is_same_v<S, MeshInstance<Real>>) {
-                SurfacePoint<Real> p =
-                    triangle_point(solid.mesh->triangle(hit.surface.face), hit.u, hit.v);
-                p.shading = shading_normal(solid, hit.surface.face, hit.u, hit.v, p.normal);
-                return p;
-            } else if constexpr (std::is_same_v<S, PatchSolid<Real>>) {
-                return patch_point(solid, hit.surface.face, hit.u, hit.v);
-            } else if constexpr (std::is_same_v<S, BicubicSolid<Real>>) {
-                return bicubic_point(solid, hit.surface.face, hit.u, hit.v);
-            } else if constexpr (std::is_same_v<S, FacetSolid<Real>>) {
-                return facet_point(solid, hit.surface.face, hit.u, hit.v);
-            } else if constexpr (std::is_same_v<S, TriangleSheet<Real>>) {
-                SurfacePoint<Real> p = triangle_point(solid, hit.u, hit.v);
-                if (primitive.corner_normals != none) {
-                    const auto& n = world.corner_normals[primitive.corner_normals];
-                    p.shading = (1 - hit.u - hit.v) * n[0] + hit.u * n[1] + hit.v * n[2];
-                }
-                return p;
-            } else if constexpr (std::is_same_v<S, CompositeSolid<Real>>) {
-                return {};  // never reached: hits of a composite belong to its leaves
-            } else {
-                return surface_point(solid, ray, hit.t, hit.surface.face);
-            }
-        },
-        primitive.solid);
 }
 
 /// Sets the colour, the transmittance and the opacity.

@@ -9,30 +9,10 @@
 #include "tracer/wide/exact_methods.h"
 #include "tracer/wide/flat_patches.h"
 #include "tracer/wide/plain_vector.h"
+#include "tracer/wide/scalar_crossings.h"
 
 namespace lancer::wide {
 
-inline Vec3d vector_of(const double* v) {
-    return {v[0], v[1], v[2]};
-}
-
-inline Ray<double> ray_of(const LaneRay& r) {
-    return {vector_of(r.origin), vector_of(r.origin_lo), vector_of(r.dir),
-            r.dir_squared,       r.inv_squared,          r.origin_error,
-            r.filter_error,      vector_of(r.inv_dir),   r.whole};
-}
-inline lancer::Start<double> start_of(const LaneStart& from) {
-    lancer::Start<double> start;
-    if (from.item != none) start.surfaces.push_back({from.item, from.face, from.entering});
-    start.left = from.left;
-    return start;
-}
-inline MediaList list_of(const std::uint32_t (&from)[most_bodies]) {
-    MediaList bodies;
-    for (const std::uint32_t body : from)
-        if (body != none) bodies.push_back(body);
-    return bodies;
-}
 inline Hit<double> hit_of(const LaneHit& h) {
     return {h.t, h.error, {h.item, h.face, h.entering}, h.u, h.v};
 }
@@ -103,21 +83,9 @@ class ScalarMethods final : public ExactMethods {
         light.distance = at.distance;
     }
 
-    void crossings(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,
+    void crossings(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                    const HitSink& sink) override {
-        const Ray<double> ray = ray_of(lane_ray);
-        const lancer::Start<double> start = start_of(lane_start);
-        const Around around = around_of(lane_start);
-        const IntersectionFilter<double, Around> accept(world_, start, around);
-        const auto limit = [&] { return sink.limit(sink.self); };
-        const RayInterval<double, decltype(limit)> interval{0, limit};
-        crossings_from(world_, item, ray, accept, accept.hints(item), interval,
-                       [&](const Crossing<double>& c, double u, double v) {
-                           if (accept(item, c))
-                               sink.add(sink.self, {accept.met_at(c), c.error, u, v, item, c.face,
-                                                    c.entering});
-                           return false;
-                       });
+        cross_item(world_, item, ray, start, !is_opaque<Tracer>, sink);
     }
 
     void patch(std::uint32_t item, PatchShape& shape) override {
@@ -130,23 +98,9 @@ class ScalarMethods final : public ExactMethods {
         cross_piece(piece, line, part, sink);
     }
 
-    bool blocks(std::uint32_t item, const LaneRay& lane_ray, const LaneStart& lane_start,
+    bool blocks(std::uint32_t item, const LaneRay& ray, const LaneStart& start,
                 double distance) override {
-        const Ray<double> ray = ray_of(lane_ray);
-        const lancer::Start<double> start = start_of(lane_start);
-        const NoMedia nowhere;
-        const IntersectionFilter<double, NoMedia> accept(world_, start, nowhere);
-        OcclusionQuery<double, NoMedia> query{world_, accept, start, distance};
-        query.at = item;
-        const LightInterval<double, NoMedia> limit{query};
-        const RayInterval<double, LightInterval<double, NoMedia>> interval{0, limit};
-        crossings_from(world_, item, ray, accept, query.hints(), interval,
-                       [&](const Crossing<double>& c, double, double) {
-                           if (accept(item, c) && c.t < distance - c.error)
-                               query.occlusion = Occlusion::blocked;
-                           return query.occlusion == Occlusion::blocked;
-                       });
-        return query.occlusion == Occlusion::blocked;
+        return blocks_light(world_, item, ray, start, distance);
     }
 
     void light_share(const LaneRay& ray, const LaneStart& start, double distance,
@@ -159,14 +113,6 @@ class ScalarMethods final : public ExactMethods {
     }
 
   private:
-    using Around = std::conditional_t<is_opaque<Tracer>, NoMedia, MediaList>;
-
-    static Around around_of(const LaneStart& start) {
-        if constexpr (is_opaque<Tracer>)
-            return {};
-        else
-            return list_of(start.bodies);
-    }
     static Media media_of(const LaneStart& start) {
         return {list_of(start.bodies), list_of(start.optical)};
     }

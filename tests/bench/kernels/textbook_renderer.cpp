@@ -3,6 +3,8 @@
 
 // Included after the kernels, so that they are found.
 #include "tests/bench/kernels/kernel_sets.h"
+#include "tracer/compile/geometry_build.h"
+#include "tracer/intersect/searches_build.h"
 #include "tracer/renderer_of.h"
 
 namespace lancer {

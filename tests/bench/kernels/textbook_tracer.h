@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/bench/kernels/textbook_shapes.h"
+#include "tracer/intersect/searches_build.h"
 #include "tracer/rays/crossing.h"
 #include "tracer/shading/shadow.h"
 
@@ -22,32 +23,33 @@ class NearestPlanes<Real> {
   public:
     Real limit() const { return std::numeric_limits<Real>::infinity(); }
     template <class Bodies, class Last, class Sees, class Report>
-    [[gnu::always_inline]] void find(const World<Real>& world, const Ray<Real>& ray,
+    [[gnu::always_inline]] void find(const Geometry<Real>& geometry, const Ray<Real>& ray,
                                      const Start<Real>&,
                                      const IntersectionFilter<Real, Bodies>& accept,
                                      const RayInterval<Real, Last>& interval, const Sees& sees,
                                      const Report& report) {
-        const auto end = static_cast<std::uint32_t>(world.primitives.size());
-        for (std::uint32_t i = world.bounded; i < end; ++i) {
+        const auto end = static_cast<std::uint32_t>(geometry.primitives.size());
+        for (std::uint32_t i = geometry.bounded; i < end; ++i) {
             if (sees(i))
-                crossings(plane_of(world, i), ray, accept.hints(i), interval,
+                crossings(plane_of(geometry, i), ray, accept.hints(i), interval,
                           [&](const Crossing<Real>& c) { report(i, c); });
         }
     }
     bool wait() const { return false; }
     template <class Last, class Report>
-    void form(const World<Real>&, const Ray<Real>&, const RayInterval<Real, Last>&, const Report&) {
-    }
+    void form(const Geometry<Real>&, const Ray<Real>&, const RayInterval<Real, Last>&,
+              const Report&) {}
 };
 
 template <methods::Shapes Real, class Bodies, class Last, class Sees, class Report>
-[[gnu::always_inline]] inline void planes_on_the_way(const World<Real>& world, const Ray<Real>& ray,
+[[gnu::always_inline]] inline void planes_on_the_way(const Geometry<Real>& geometry,
+                                                     const Ray<Real>& ray,
                                                      const IntersectionFilter<Real, Bodies>& accept,
                                                      const RayInterval<Real, Last>& interval,
                                                      const Sees& is_seen, const Report& report) {
-    const auto end = static_cast<std::uint32_t>(world.primitives.size());
-    for (std::uint32_t i = world.bounded; i < end; ++i) {
-        if (is_seen(i)) crossings(plane_of(world, i), ray, accept.hints(i), interval, report);
+    const auto end = static_cast<std::uint32_t>(geometry.primitives.size());
+    for (std::uint32_t i = geometry.bounded; i < end; ++i) {
+        if (is_seen(i)) crossings(plane_of(geometry, i), ray, accept.hints(i), interval, report);
         if (interval.last.query.occlusion == Occlusion::blocked) return;
     }
 }
@@ -55,7 +57,7 @@ template <methods::Shapes Real, class Bodies, class Last, class Sees, class Repo
 template <methods::Contacts Real, class Bodies>
 class IntersectionFilter<Real, Bodies> {
   public:
-    IntersectionFilter(const World<Real>&, const Start<Real>& start, const Bodies&)
+    IntersectionFilter(const Geometry<Real>&, const Start<Real>& start, const Bodies&)
         : start_(start), nearest_(start.t + textbook_epsilon) {}
     IntersectionHints hints(std::uint32_t) const { return {}; }
     bool operator()(std::uint32_t, const Crossing<Real>& c) const { return c.t > nearest_; }

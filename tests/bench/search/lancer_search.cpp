@@ -6,6 +6,7 @@
 #include "tests/extremes/stage.h"
 #include "tests/oracle/wide_methods.h"
 #include "tracer/compile/compile.h"
+#include "tracer/intersect/candidates.h"
 #include "tracer/intersect/nearest_contact.h"
 #include "tracer/wide/flat_world.h"
 #include "tracer/wide/job.h"
