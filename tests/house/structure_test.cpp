@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,35 @@ TEST(Structure, RoomsOfTheTracerIncludeOnlyThoseBelow) {
         }
     }
     EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+/// The project's files that a file includes, and those that they include.
+std::set<std::string> all_included_by(const std::string& path) {
+    std::set<std::string> all;
+    std::vector<std::string> waiting{path};
+    while (!waiting.empty()) {
+        const fs::path file = root / waiting.back();
+        waiting.pop_back();
+        for (const std::string& line : read_lines(file)) {
+            const std::string name = included_by(line);
+            if (name.empty() || name.front() != '"') continue;
+            if (all.insert(name.substr(1)).second) waiting.push_back(name.substr(1));
+        }
+    }
+    return all;
+}
+
+// They are compiled for long, and a change of materials, lights or textures spares them.
+TEST(Structure, SearchesSeeTheGeometryAlone) {
+    for (const std::string source :
+         {"tracer/intersect/searches_single.cpp", "tracer/intersect/searches_double.cpp",
+          "tracer/intersect/searches_extended.cpp", "tracer/compile/geometry_single.cpp",
+          "tracer/compile/geometry_double.cpp", "tracer/compile/geometry_extended.cpp",
+          "tracer/povray/first_hit.cpp", "tracer/wide/scalar_crossings.cpp"}) {
+        const std::set<std::string> included = all_included_by(source);
+        EXPECT_TRUE(included.contains("tracer/scene/geometry.h")) << source;
+        EXPECT_FALSE(included.contains("tracer/scene/world.h")) << source;
+    }
 }
 
 TEST(Structure, ArchitectureNamesEveryRoomOfTheTracer) {

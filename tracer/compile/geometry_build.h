@@ -1,4 +1,4 @@
-// The compiler of shapes, for the one file in which number types are instantiated.
+// The compiler of shapes, for the one file in which a number type is instantiated.
 #pragma once
 
 #include <algorithm>

@@ -312,7 +312,7 @@ class ShapeCompiler {
 
     /// The tolerance of a patch in its own space: the strictest of all that apply. The tolerance of
     /// the settings is in units of the scene's world. A patch's own tolerance must hold both in its
-    /// own space and in the geometry, so that it holds in whichever way a user reads it.
+    /// own space and in the world, so that it holds in whichever way a user reads it.
     std::optional<double> own_tolerance(const Object& object, const PatchRef& ref) const {
         const double growth = largest_stretch(scene_.transforms[object.transform]);
         std::optional<double> tolerance;

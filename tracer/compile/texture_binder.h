@@ -1,6 +1,7 @@
 // Binds textures to primitives. Only the files that instantiate it include it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/diagnostic.h"

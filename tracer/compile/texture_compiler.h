@@ -1,7 +1,7 @@
 // Compiles the scene's textures. Only the files that instantiate it include it.
 #pragma once
 
-#include <algorithm>
+#include <variant>
 
 #include "model/affine.h"
 #include "tracer/scene/world.h"

@@ -5,6 +5,7 @@
 
 #include "tracer/intersect/contact.h"
 #include "tracer/intersect/intersection_filter.h"
+#include "tracer/intersect/starts_inside.h"
 #include "tracer/scene/world.h"
 
 namespace lancer {
@@ -25,11 +26,6 @@ template <class Real>
 const MediaList& optical_of(const World<Real>& world, const Media& media) {
     return world.has_smooth_media ? media.optical : media.bodies;
 }
-
-/// Whether the ray's origin lies in the body. An origin on its surface belongs to the side that the
-/// ray goes to.
-template <class Real>
-bool starts_inside(const Geometry<Real>& geometry, std::uint32_t index, const Ray<Real>& ray);
 
 /// The bodies around the origins of camera rays. The bodies whose bounds contain an origin are
 /// found once for all rays that share it.

@@ -1,8 +1,8 @@
-// Which bodies a camera ray begins in.
+// How it is found whether a ray begins in a body.
 #pragma once
 
 #include "tracer/intersect/candidates.h"
-#include "tracer/intersect/media.h"
+#include "tracer/intersect/starts_inside.h"
 
 namespace lancer {
 

@@ -19,7 +19,6 @@ struct Finish {
     Real phong, shininess, blinn, inverse_roughness, metallic;
     Vec3<Real> reflection;
     bool fresnel = false;
-    bool reflects = false;
     Real transmission, filter, ior;
     Vec3<Real> absorption;
     bool absorbs = false;
